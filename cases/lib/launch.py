@@ -1,0 +1,161 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""Starts both halves in one mpirun, shows how far they are, keeps their logs."""
+
+import os
+import re
+import shlex
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import openfoam
+from casefile import TOP, CaseError
+
+_TAG = re.compile(r"^\[\d+,(\d+)\]<std(out|err)>:\s?(.*)$", re.S)
+_PROGRESS = re.compile(r"^clayFoam: (t = .*)$")
+# LIGGGHTS's own errors; what a half says on its standard error when it ends the run
+_ERROR = re.compile(r"^\s*ERROR")
+_LAST_WORD = re.compile(r"^(clayFoam|liggghts-clay): ")
+
+
+def cores():
+    """Cores mpirun counts as slots: physical ones that this process may use."""
+    pairs, physical = set(), "0"
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as f:
+            for line in f:
+                key, _, value = line.partition(":")
+                if key.strip() == "physical id":
+                    physical = value.strip()
+                elif key.strip() == "core id":
+                    pairs.add((physical, value.strip()))
+    except OSError:
+        pass
+    usable = len(os.sched_getaffinity(0))
+    return min(len(pairs) or usable, usable)
+
+
+class Run:
+    """One coupled run in its folder."""
+
+    def __init__(self, folder, dem, cfd):
+        self.folder, self.dem, self.cfd = folder, dem, cfd
+        self.wall = 0.0
+
+    def exports(self):
+        """The environment of both halves, besides the user's own."""
+        names = dict(openfoam.environment())
+        if os.geteuid() == 0:
+            names["OMPI_ALLOW_RUN_AS_ROOT"] = names["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1"
+        if self.dem + self.cfd > cores():
+            names["OMPI_MCA_mpi_yield_when_idle"] = "1"
+        return names
+
+    def command(self):
+        """The plain line that runs both halves, as words."""
+        words = ["mpirun", "--bind-to", "none"]
+        if self.dem + self.cfd > cores():
+            words.append("--oversubscribe")
+        words += ["-np", str(self.dem), "liggghts-clay", "-in", "in.liggghts", "-log", "DEM/log",
+                  ":", "-np", str(self.cfd), "clayFoam", "-case", "CFD"]
+        if self.cfd > 1:
+            words.append("-parallel")
+        return words
+
+    def script(self):
+        """What one types to run the case by hand."""
+        lines = [f"cd {shlex.quote(self.folder)}",
+                 f"export PATH={shlex.quote(os.path.join(TOP, 'build', 'bin'))}:$PATH"]
+        lines += [f"export {k}={shlex.quote(v)}" for k, v in self.exports().items()]
+        return "\n".join(lines + [shlex.join(self.command())]) + "\n"
+
+    def write_script(self):
+        with open(os.path.join(self.folder, "run.sh"), "w", encoding="utf-8") as f:
+            f.write("#!/bin/sh\n# This run by hand.\n" + self.script())
+
+    def environment(self):
+        path = os.path.join(TOP, "build", "bin") + os.pathsep + os.environ.get("PATH", "")
+        return {**os.environ, **self.exports(), "PATH": path}
+
+    def go(self):
+        """Runs both halves to the end; returns the exit code, says why if not 0."""
+        words = self.command()
+        words.insert(1, "--tag-output")
+        for program in ("mpirun", "liggghts-clay", "clayFoam"):
+            if not shutil.which(program, path=self.environment()["PATH"]):
+                raise CaseError(f"{program} is not there; cmake/setup.sh installs and builds all")
+        signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+        began = time.monotonic()
+        halves = subprocess.Popen(words, cwd=self.folder, env=self.environment(),
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, text=True, errors="replace")
+        try:
+            said = self._watch(halves.stdout)
+            status = halves.wait()
+        finally:
+            if halves.poll() is None:
+                halves.terminate()
+                try:
+                    halves.wait(10)
+                except subprocess.TimeoutExpired:
+                    halves.kill()
+                    halves.wait()
+        self.wall = time.monotonic() - began
+        if status:
+            reason = said or "no half said why"
+            print(f"cases/run: stopped after {self.wall:.1f} s, exit code {status}; "
+                  f"logs in {self.folder}/DEM/log and CFD/log\n{reason}", file=sys.stderr)
+            return status if 0 < status < 256 else 1
+        return 0
+
+    def _watch(self, stream):
+        """Sorts what the halves say; returns the line that tells of an error."""
+        shown = _Progress()
+        said, others = "", []
+        with open(os.path.join(self.folder, "CFD", "log"), "w", encoding="utf-8") as log:
+            for line in stream:
+                tag = _TAG.match(line)
+                if not tag:
+                    others.append(line.strip())
+                    continue
+                rank, content = int(tag.group(1)), tag.group(3).rstrip("\n")
+                if rank >= self.dem:
+                    log.write(content + "\n")
+                step = _PROGRESS.match(content)
+                if step:
+                    shown.show(step.group(1))
+                elif not said and (_ERROR.match(content) or
+                                   tag.group(2) == "err" and _LAST_WORD.match(content)):
+                    said = content.strip()
+        shown.close()
+        if said:
+            return said
+        # a half that was killed says nothing; mpirun does
+        lines = [x for x in others if x and not x.startswith("--")]
+        return next((x for x in lines if x.startswith("mpirun noticed")), " ".join(lines[:3]))
+
+
+class _Progress:
+    """One line, renewed in place on a terminal, else now and then."""
+
+    def __init__(self):
+        self.terminal = sys.stdout.isatty()
+        self.last, self.share, self.width = 0.0, -100.0, 0
+
+    def show(self, line):
+        if self.terminal:
+            print("\r" + line.ljust(self.width), end="", flush=True)
+            self.width = len(line)
+            return
+        match = re.search(r"([\d.]+) %", line)
+        share = float(match.group(1)) if match else 0.0
+        now = time.monotonic()
+        if share - self.share >= 5 or now - self.last >= 10 or share >= 100:
+            print(line, flush=True)
+            self.share, self.last = share, now
+
+    def close(self):
+        if self.terminal and self.width:
+            print()

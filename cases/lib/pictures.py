@@ -1,0 +1,98 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""The pictures of a run: settling.png and columns.png."""
+
+import os
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+import openfoam
+import spheres
+
+_DAY = 86400.0
+
+
+def settling(folder, curve, time_scale, title):
+    """The settling curve over seconds simulated and days in the laboratory."""
+    fig, ax = plt.subplots(figsize=(7, 4.6))
+    t = curve["time_s"]
+    for key, label, style in (("interface_m", "upper interface", "-"),
+                              ("mean_height_m", "mean height", "--"),
+                              ("bed_m", "top of the bed", ":")):
+        if key in curve:
+            ax.plot(t, 1e3 * curve[key], style, label=label, lw=1.6)
+    ax.set_xlabel("time simulated [s]")
+    ax.set_ylabel("height [mm]")
+    ax.set_xlim(0, t[-1])
+    ax.set_ylim(bottom=0)
+    scale = time_scale / _DAY
+    days = ax.secondary_xaxis("top", functions=(lambda x: x * scale, lambda x: x / scale))
+    days.set_xlabel(f"time in the laboratory [days], scaled by {time_scale:.3g}")
+    ax.grid(alpha=0.3)
+    ax.legend()
+    ax.set_title(title, fontsize=9, pad=10)
+    fig.tight_layout()
+    fig.savefig(os.path.join(folder, "settling.png"), dpi=150)
+    plt.close(fig)
+
+
+def _cut(case, folder, radius, height, centres):
+    """Velocity in the plane y = 0: speed as an image, arrows at every layer."""
+    from scipy.spatial import cKDTree
+    velocity = openfoam.internal_field(os.path.join(folder, "U"), len(centres))
+    tree = cKDTree(centres)
+    x = (np.arange(60) + 0.5) / 60 * 2 * radius - radius
+    z = (np.arange(240) + 0.5) / 240 * height
+    grid = np.array([[a, 0.0, b] for b in z for a in x])
+    cell = tree.query(grid)[1]
+    speed = np.linalg.norm(velocity, axis=1)[cell].reshape(len(z), len(x))
+    ax, az = np.meshgrid(np.linspace(-0.8, 0.8, 5) * radius, (np.arange(18) + 0.5) / 18 * height)
+    near = tree.query(np.column_stack([ax.ravel(), 0 * ax.ravel(), az.ravel()]))[1]
+    arrows = velocity[near]
+    return speed, ax, az, arrows[:, 0].reshape(ax.shape), arrows[:, 2].reshape(ax.shape)
+
+
+def columns(folder, values, title, count=6):
+    """The column at six times: clumps, and beside them a cut of the flow."""
+    radius, height, step = values["tube_radius"], values["tube_height"], values["dem_step"]
+    cfd = os.path.join(folder, "CFD")
+    moments = spheres.dumps(folder)
+    flows = openfoam.times(cfd)
+    if not moments or not flows:
+        return
+    chosen = [moments[i] for i in np.unique(np.linspace(0, len(moments) - 1, count).round().astype(int))]
+    centres = openfoam.cell_centres(os.path.join(cfd, "constant", "polyMesh"))
+    cuts = []
+    for number, _ in chosen:
+        nearest = min(flows, key=lambda f: abs(f[0] - number * step))
+        cuts.append(_cut(cfd, nearest[1], radius, height, centres))
+    top = max(c[0].max() for c in cuts) or 1e-12
+
+    # panes as wide as the tube drawn to scale, room above for the times
+    wide = 0.95
+    tall = 0.92 * wide * height / (2 * radius) + 0.75
+    fig, axes = plt.subplots(1, 2 * len(chosen), figsize=(2.1 * wide * len(chosen), tall),
+                             gridspec_kw={"wspace": 0.08, "left": 0, "right": 0.94, "bottom": 0,
+                                          "top": 1 - 0.7 / tall})
+    for k, ((number, path), (speed, x, z, u, w)) in enumerate(zip(chosen, cuts)):
+        left, right = axes[2 * k], axes[2 * k + 1]
+        image, extent = spheres.picture(spheres.read(path), radius, height)
+        left.imshow(image, origin="lower", extent=extent, interpolation="antialiased")
+        shown = right.imshow(1e3 * speed, origin="lower", extent=(-radius, radius, 0, height),
+                             cmap="viridis", vmin=0, vmax=1e3 * top, interpolation="nearest")
+        right.quiver(x, z, u, w, color="white", scale=5 * top, width=0.03, pivot="middle")
+        left.plot([-radius, -radius, radius, radius], [height, 0, 0, height], color="0.4", lw=0.7)
+        t = number * step
+        left.set_title(f"{t:.3g} s\n{t * values['time_scale'] / _DAY:.3g} d", fontsize=9, loc="left")
+        for a in (left, right):
+            a.set_xlim(-1.05 * radius, 1.05 * radius)
+            a.set_ylim(-0.02 * height, 1.02 * height)
+            a.set_aspect("equal")
+            a.axis("off")
+    bar = fig.colorbar(shown, cax=fig.add_axes([0.95, 0.02, 0.009, 0.9 - 0.7 / tall]))
+    bar.set_label("fluid speed in the plane y = 0 [mm/s]")
+    fig.suptitle(title, fontsize=9, y=0.995)
+    fig.savefig(os.path.join(folder, "columns.png"), dpi=170, bbox_inches="tight")
+    plt.close(fig)

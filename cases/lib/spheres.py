@@ -1,0 +1,104 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""The DEM half's output: reads LIGGGHTS's dumps, writes what ParaView opens."""
+
+import base64
+import glob
+import os
+import re
+
+import numpy as np
+
+
+def dumps(folder):
+    """The dumps of a run as (step, path), in order of time."""
+    found = []
+    for path in glob.glob(os.path.join(folder, "DEM", "spheres.*.dump")):
+        found.append((int(re.search(r"\.(\d+)\.dump$", path).group(1)), path))
+    return sorted(found)
+
+
+def read(path):
+    """A dump's columns by name, each an array."""
+    with open(path, encoding="utf-8") as f:
+        for line in f:
+            if line.startswith("ITEM: ATOMS"):
+                columns = line.split()[2:]
+                break
+        rows = np.array(f.read().split(), dtype=float).reshape(-1, len(columns))
+    return {c: rows[:, i] for i, c in enumerate(columns)}
+
+
+def _array(name, values, kind, components=1):
+    """An inline binary DataArray of a VTK file."""
+    raw = np.ascontiguousarray(values, dtype={"Float64": "<f8", "Int64": "<i8"}[kind]).tobytes()
+    body = base64.b64encode(len(raw).to_bytes(8, "little") + raw).decode()
+    return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" '
+            f'format="binary">{body}</DataArray>\n')
+
+
+def write_vtp(path, s):
+    """One moment's spheres as points with velocity, radius, clump and type."""
+    n = len(s["id"])
+    xyz = np.column_stack([s["x"], s["y"], s["z"]])
+    velocity = np.column_stack([s["vx"], s["vy"], s["vz"]])
+    with open(path, "w", encoding="utf-8") as f:
+        f.write('<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" '
+                'byte_order="LittleEndian" header_type="UInt64">\n<PolyData>\n'
+                f'<Piece NumberOfPoints="{n}" NumberOfVerts="{n}">\n<PointData Scalars="clump">\n'
+                + _array("clump", s["mol"], "Int64") + _array("type", s["type"], "Int64")
+                + _array("id", s["id"], "Int64") + _array("radius", s["radius"], "Float64")
+                + _array("velocity", velocity, "Float64", 3)
+                + "</PointData>\n<Points>\n" + _array("Points", xyz, "Float64", 3)
+                + "</Points>\n<Verts>\n" + _array("connectivity", np.arange(n), "Int64")
+                + _array("offsets", np.arange(1, n + 1), "Int64")
+                + "</Verts>\n</Piece>\n</PolyData>\n</VTKFile>\n")
+
+
+def for_paraview(folder, dem_step):
+    """A .vtp a dump, and DEM/spheres.pvd with the time of each."""
+    lines = []
+    for step, path in dumps(folder):
+        target = path[:-len(".dump")] + ".vtp"
+        write_vtp(target, read(path))
+        lines.append(f'<DataSet timestep="{step * dem_step:.9g}" file="{os.path.basename(target)}"/>\n')
+    with open(os.path.join(folder, "DEM", "spheres.pvd"), "w", encoding="utf-8") as f:
+        f.write('<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n<Collection>\n'
+                + "".join(lines) + "</Collection>\n</VTKFile>\n")
+
+
+def picture(s, radius, height, pixels=8000.0, tilt=8.0):
+    """An image (rows, columns, RGBA) of the spheres, coloured by clump.
+
+    Seen level with the tube's axis, from tilt degrees above; pixels a metre.
+    """
+    import colorsys
+    c, sn = np.cos(np.radians(tilt)), np.sin(np.radians(tilt))
+    right, depth = s["x"], -s["y"] * c + s["z"] * sn
+    up = s["z"] * c + s["y"] * sn
+    low, high = -radius * sn, height * c + radius * sn
+    columns, rows = int(2 * radius * pixels), int((high - low) * pixels)
+    image = np.zeros((rows, columns, 4))
+    nearest = np.full((rows, columns), -np.inf)
+    light = np.array([-0.45, 0.55, 0.70])
+    light /= np.linalg.norm(light)
+    for i in range(len(right)):
+        r = s["radius"][i] * pixels
+        x, y = (right[i] + radius) * pixels, (up[i] - low) * pixels
+        x0, x1 = max(0, int(x - r)), min(columns, int(x + r) + 2)
+        y0, y1 = max(0, int(y - r)), min(rows, int(y + r) + 2)
+        if x0 >= x1 or y0 >= y1:
+            continue
+        u = (np.arange(x0, x1) + 0.5 - x)[None, :] / r
+        v = (np.arange(y0, y1) + 0.5 - y)[:, None] / r
+        inside = 1 - u * u - v * v
+        w = np.sqrt(np.maximum(inside, 0))
+        z = depth[i] * pixels + w * r
+        shown = (inside > 0) & (z > nearest[y0:y1, x0:x1])
+        nearest[y0:y1, x0:x1][shown] = z[shown]
+        shade = 0.35 + 0.65 * np.maximum(0, light[0] * u + light[1] * v + light[2] * w)
+        # hues a golden section apart: neighbours differ
+        k = int(s["mol"][i])
+        colour = colorsys.hsv_to_rgb(k * 0.618034 % 1, 0.45 + 0.4 * (k % 3) / 2, 0.98)
+        image[y0:y1, x0:x1][shown] = np.concatenate(
+            [np.clip(shade[shown][:, None] * np.array(colour), 0, 1), np.ones((shown.sum(), 1))], axis=1)
+    return image, (-radius, radius, low, high)

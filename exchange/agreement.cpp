@@ -1,0 +1,152 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file agreement.cpp
+/// Whether the terms of the two halves fit. Both halves evaluate the same
+/// functions on the same terms, so that they come to the same verdict.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "terms.h"
+
+namespace clay {
+
+namespace {
+
+std::string text(double x) {
+  char s[32];
+  std::snprintf(s, sizeof s, "%.10g", x);
+  return s;
+}
+
+std::string text(const std::array<double, 3>& x) {
+  return "(" + text(x[0]) + " " + text(x[1]) + " " + text(x[2]) + ")";
+}
+
+std::string text(const Box& b) { return text(b.lo) + " to " + text(b.hi); }
+
+std::string list(const FieldSet& fields) {
+  std::string s;
+  for (const auto& n : fields.names()) s += (s.empty() ? "" : ", ") + n;
+  return s;
+}
+
+bool stated(const Box& b) {
+  for (int i = 0; i < 3; ++i)
+    if (!(b.lo[i] <= b.hi[i])) return false;
+  return true;
+}
+
+double extent(const Box& b) {
+  double longest = 0;
+  for (int i = 0; i < 3; ++i) longest = std::max(longest, b.hi[i] - b.lo[i]);
+  return longest;
+}
+
+bool apart(const Box& a, const Box& b) {
+  for (int i = 0; i < 3; ++i)
+    if (a.hi[i] < b.lo[i] || b.hi[i] < a.lo[i]) return true;
+  return false;
+}
+
+// True, too, when a value is no number
+bool differ(double a, double b, double tolerance) { return !(std::fabs(a - b) <= tolerance); }
+
+// Hint at a length unit that was left out
+std::string unitHint(const Box& dem, const Box& mesh) {
+  const double ratio = extent(mesh) / extent(dem);
+  if (ratio > 300 && ratio < 3000) return "; is the mesh in millimetres?";
+  if (ratio > 1 / 3000. && ratio < 1 / 300.) return "; is the DEM box in millimetres?";
+  return "";
+}
+
+std::string oneHalfAlone(const DemTerms& dem, const CfdTerms& cfd) {
+  if (!(dem.step > 0))
+    return "the DEM half's time step is " + text(dem.step) + " s; it must be above 0";
+  if (dem.interval <= 0)
+    return "the DEM half's coupling interval is " + std::to_string(dem.interval) +
+           " steps; it must be 1 or more";
+  if (!(dem.endTime >= dem.startTime))
+    return "the DEM half's run ends at " + text(dem.endTime) + " s, before its start at " +
+           text(dem.startTime) + " s";
+  if (dem.particles <= 0)
+    return "the DEM half's coupled group holds " + std::to_string(dem.particles) +
+           " particles; it must hold 1 or more";
+  if (!(cfd.fluidDensity > 0))
+    return "the CFD half's fluid density is " + text(cfd.fluidDensity) +
+           " kg/m3; it must be above 0";
+  if (!(cfd.fluidViscosity >= 0))
+    return "the CFD half's fluid viscosity is " + text(cfd.fluidViscosity) +
+           " Pa s; it must not be below 0";
+  return "";
+}
+
+std::string times(const DemTerms& dem, const CfdTerms& cfd) {
+  if (differ(dem.startTime, cfd.startTime, 0.5 * dem.step))
+    return "the start times differ: " + text(dem.startTime) + " s in the DEM half, " +
+           text(cfd.startTime) + " s in the CFD half";
+  if (cfd.endTime && differ(dem.endTime, *cfd.endTime, 0.5 * dem.step))
+    return "the end times differ: " + text(dem.endTime) + " s in the DEM half, " +
+           text(*cfd.endTime) + " s in the CFD half";
+  const double interval = dem.step * static_cast<double>(dem.interval);
+  if (cfd.couplingInterval && differ(interval, *cfd.couplingInterval, 1e-6 * interval))
+    return "the coupling intervals differ: " + text(interval) + " s (" +
+           std::to_string(dem.interval) + " steps of " + text(dem.step) +
+           " s) in the DEM half, " + text(*cfd.couplingInterval) + " s in the CFD half";
+  return "";
+}
+
+std::string gravities(const DemTerms& dem, const CfdTerms& cfd) {
+  if (!dem.hasGravity || !cfd.gravity) return "";
+  double size = 0;
+  for (int i = 0; i < 3; ++i)
+    size = std::max({size, std::fabs(dem.gravity[i]), std::fabs((*cfd.gravity)[i])});
+  for (int i = 0; i < 3; ++i)
+    if (differ(dem.gravity[i], (*cfd.gravity)[i], 1e-6 * size))
+      return "the gravities differ: " + text(dem.gravity) + " m/s2 in the DEM half, " +
+             text(*cfd.gravity) + " m/s2 in the CFD half";
+  return "";
+}
+
+std::string fields(const DemTerms& dem, const CfdTerms& cfd) {
+  const FieldSet cfdLacks = cfd.needs.without(dem.offers);
+  if (!cfdLacks.empty())
+    return "the CFD half needs " + list(cfdLacks) + ", the DEM half offers only " +
+           list(dem.offers);
+  const FieldSet demLacks = dem.needs.without(cfd.offers);
+  if (!demLacks.empty())
+    return "the DEM half needs " + list(demLacks) + ", the CFD half offers only " +
+           list(cfd.offers);
+  return "";
+}
+
+}  // namespace
+
+std::string disagreement(const DemTerms& dem, const CfdTerms& cfd) {
+  if (dem.wire != cfd.wire)
+    return "the halves speak different versions of the exchange: " +
+           std::to_string(dem.wire) + " in the DEM half (" + dem.program + "), " +
+           std::to_string(cfd.wire) + " in the CFD half (" + cfd.program + ")";
+  for (auto check : {oneHalfAlone, times, gravities, fields}) {
+    const std::string line = check(dem, cfd);
+    if (!line.empty()) return line;
+  }
+  if (stated(dem.box) && stated(cfd.box) && apart(dem.box, cfd.box))
+    return "the DEM box " + text(dem.box) + " m and the mesh " + text(cfd.box) +
+           " m do not overlap" + unitHint(dem.box, cfd.box);
+  return "";
+}
+
+std::vector<std::string> warnings(const DemTerms& dem, const CfdTerms& cfd) {
+  std::vector<std::string> lines;
+  if (!dem.hasGravity)
+    lines.push_back("the DEM half has no gravity: particles get no weight and no buoyancy");
+  if (stated(dem.box) && stated(cfd.box) && !apart(dem.box, cfd.box)) {
+    const std::string hint = unitHint(dem.box, cfd.box);
+    if (!hint.empty())
+      lines.push_back("the DEM box " + text(dem.box) + " m and the mesh " + text(cfd.box) +
+                      " m differ much in size" + hint);
+  }
+  return lines;
+}
+
+}  // namespace clay

@@ -1,0 +1,248 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file cfd_session.cpp
+/// The CFD half's side of a session.
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "farewell.h"
+#include "handshake.h"
+#include "session.h"
+#include "shared.h"
+#include "waiting.h"
+#include "wire.h"
+
+namespace clay {
+
+namespace {
+
+using wire::Header;
+using wire::Kind;
+
+constexpr const char* forState = "the DEM half's next state";
+constexpr const char* forTaking = "the DEM half to take in the answer";
+
+double now() { return PMPI_Wtime(); }
+
+}  // namespace
+
+struct CfdSession::Impl {
+  // What comes from one DEM rank and goes back to it. The buffers keep their memory.
+  struct Peer {
+    Header announced;  // what it does next, comes in at any time
+    Header header;     // of the last state
+    std::vector<double> state, answer;
+    int first = 0;  // its first particle here
+    int count() const { return static_cast<int>(header.count); }
+  };
+
+  BothTerms terms;
+  FieldSet sends, receives;
+  std::vector<Peer> peers;
+  std::vector<MPI_Request> headers, states, out;
+  SharedParticles shared;
+  int particles = 0;
+  double time = 0, interval = 0;
+  bool last = false, open = false, heardGoodbye = false;
+  std::array<double, 3> impulse{};
+  Timing timing;
+
+  void settle() {
+    receives = stateFields(terms);
+    sends = answerFields(terms);
+  }
+
+  void postHeaders() {
+    const auto& world = World::instance();
+    headers.resize(peers.size());
+    for (std::size_t p = 0; p < peers.size(); ++p)
+      PMPI_Irecv(&peers[p].announced, Header::doubles, MPI_DOUBLE, world.peers()[p],
+                 wire::tagHeader, world.whole(), &headers[p]);
+  }
+
+  void takeState(Particles& particles);
+  void unpack(Particles& particles);
+  void pack(const Particles& answers, const std::vector<char>& owned, Peer& peer);
+};
+
+void CfdSession::Impl::takeState(Particles& list) {
+  const auto& world = World::instance();
+  const int width = receives.width();
+  time = peers[0].announced.time;
+  interval = peers[0].announced.interval;
+  last = peers[0].announced.last != 0;
+  impulse = {};
+  particles = 0;
+  states.clear();
+  for (std::size_t p = 0; p < peers.size(); ++p) {
+    auto& peer = peers[p];
+    const Header& h = peer.header = peer.announced;
+    // in the order of the ranks: the sum is the same on every CFD rank
+    for (int c = 0; c < 3; ++c) impulse[c] += h.impulse[c];
+    peer.first = particles;
+    if (h.count == 0) continue;
+    particles += peer.count();
+    peer.state.resize(static_cast<std::size_t>(peer.count()) * width +
+                      static_cast<std::size_t>(h.shares));
+    states.emplace_back();
+    PMPI_Irecv(peer.state.data(), static_cast<int>(peer.state.size()), MPI_DOUBLE,
+               world.peers()[p], wire::tagState, world.whole(), &states.back());
+  }
+  waitUntil([&] { return allDone(states); }, forState, &timing.waiting);
+  unpack(list);
+}
+
+void CfdSession::Impl::unpack(Particles& list) {
+  if (!(list.fields() == receives)) list = Particles(receives);
+  list.resize(particles);
+  shared.clear();
+  for (auto& peer : peers) {
+    const int n = peer.count();
+    if (n == 0) continue;
+    const double* from = peer.state.data();
+    for (unsigned k = 0; k < fieldCount; ++k) {
+      const auto f = static_cast<Field>(k);
+      if (!receives.has(f)) continue;
+      const int width = components(f);
+      std::copy(from, from + width * n, list[f] + width * peer.first);
+      from += width * n;
+    }
+    shared.add(from, static_cast<std::size_t>(peer.header.shares), peer.first);
+  }
+}
+
+// Places in the DEM rank's list first, then field by field
+void CfdSession::Impl::pack(const Particles& answers, const std::vector<char>& owned,
+                            Peer& peer) {
+  peer.answer.clear();
+  const int n = peer.count();
+  for (int i = 0; i < n; ++i)
+    if (owned[static_cast<std::size_t>(peer.first + i)]) peer.answer.push_back(i);
+  const std::size_t answered = peer.answer.size();
+  peer.answer.resize(answered * (1 + static_cast<std::size_t>(sends.width())));
+  double* to = peer.answer.data() + answered;
+  for (unsigned k = 0; k < fieldCount; ++k) {
+    const auto f = static_cast<Field>(k);
+    if (!sends.has(f)) continue;
+    const int width = components(f);
+    for (std::size_t a = 0; a < answered; ++a) {
+      const double* from =
+          answers[f] + width * (peer.first + static_cast<int>(peer.answer[a]));
+      to = std::copy(from, from + width, to);
+    }
+  }
+}
+
+CfdSession::CfdSession(const CfdTerms& mine, const Box& rankBox) : impl_(new Impl) {
+  auto& s = *impl_;
+  s.terms = shakeHands(Half::cfd, encode(mine));
+  s.settle();
+  sendBoxes(rankBox);
+  s.peers.resize(World::instance().peers().size());
+  s.time = s.terms.dem.startTime;
+  s.open = true;
+  s.postHeaders();
+}
+
+CfdSession::~CfdSession() {
+  // messages under way keep their buffers: the program ends without a goodbye
+  if (impl_ && impl_->open) static_cast<void>(impl_.release());
+}
+
+const DemTerms& CfdSession::peer() const { return impl_->terms.dem; }
+const FieldSet& CfdSession::receives() const { return impl_->receives; }
+const FieldSet& CfdSession::sends() const { return impl_->sends; }
+const Timing& CfdSession::timing() const { return impl_->timing; }
+double CfdSession::time() const { return impl_->time; }
+double CfdSession::interval() const { return impl_->interval; }
+bool CfdSession::last() const { return impl_->last; }
+std::array<double, 3> CfdSession::impulse() const { return impl_->impulse; }
+
+CfdSession::Event CfdSession::next(Particles& particles) {
+  auto& s = *impl_;
+  if (s.heardGoodbye) return Event::closed;
+  const double start = now(), idle = s.timing.waiting;
+  waitUntil([&] { return allDone(s.headers) && allDone(s.out); }, forState,
+            &s.timing.waiting);
+  const Header h = s.peers[0].announced;
+  for (const auto& peer : s.peers)
+    if (peer.announced.kind != h.kind || peer.announced.exchange != h.exchange)
+      abandon("the ranks of the DEM half are not at the same exchange");
+
+  Event event = Event::state;
+  switch (static_cast<Kind>(static_cast<int>(h.kind))) {
+    case Kind::state:
+      s.takeState(particles);
+      ++s.timing.exchanges;
+      s.postHeaders();
+      break;
+    case Kind::resume:
+      s.terms.dem = decodeDem(receiveFromPeers(wire::tagTerms, "the DEM half's new terms"));
+      // this half goes on where the last run ended
+      s.terms.cfd.startTime = s.time;
+      agree(s.terms.dem, s.terms.cfd);
+      s.settle();
+      s.postHeaders();
+      event = Event::resumed;
+      break;
+    case Kind::close:
+      s.heardGoodbye = true;
+      s.open = false;
+      setStage(Stage::parted);
+      event = Event::closed;
+      break;
+  }
+  s.timing.exchange += now() - start - (s.timing.waiting - idle);
+  return event;
+}
+
+void CfdSession::sumShared(std::vector<double>& values, int stride) {
+  const double start = now();
+  impl_->shared.sum(values, stride);
+  impl_->timing.exchange += now() - start;
+}
+
+std::vector<char> CfdSession::own(const std::vector<double>& claims) {
+  const double start = now();
+  auto owned = impl_->shared.own(claims);
+  impl_->timing.exchange += now() - start;
+  return owned;
+}
+
+void CfdSession::answer(const Particles& answers, const std::vector<char>& owned) {
+  auto& s = *impl_;
+  const auto& world = World::instance();
+  if (answers.size() != s.particles || owned.size() != static_cast<std::size_t>(s.particles))
+    throw std::logic_error("CfdSession::answer: not one answer a particle");
+  if (!s.sends.without(answers.fields()).empty())
+    throw std::logic_error("CfdSession::answer: a field that the DEM half needs is missing");
+  const double start = now(), idle = s.timing.waiting;
+  s.out.clear();
+  double bytes = 0;
+  for (std::size_t p = 0; p < s.peers.size(); ++p) {
+    auto& peer = s.peers[p];
+    if (peer.count() == 0) continue;
+    s.pack(answers, owned, peer);
+    s.out.emplace_back();
+    PMPI_Isend(peer.answer.data(), static_cast<int>(peer.answer.size()), MPI_DOUBLE,
+               world.peers()[p], wire::tagAnswer, world.whole(), &s.out.back());
+    bytes += 8. * static_cast<double>(peer.answer.size());
+  }
+  s.timing.bytesSent += bytes;
+  // A long message needs this rank's help on its way, which it would not get
+  // while this half solves: a DEM half that waits for it gets it now, one that
+  // does not is not waited for long.
+  const double patience = 1e-3 + bytes / 200e6;
+  waitUntil([&] { return allDone(s.out) || now() - start > patience; }, forTaking,
+            &s.timing.waiting);
+  s.timing.exchange += now() - start - (s.timing.waiting - idle);
+}
+
+void CfdSession::close() {
+  auto& s = *impl_;
+  if (!s.heardGoodbye)
+    abandon("the CFD half closed its session before the coupled run had ended");
+  s.open = false;
+}
+
+}  // namespace clay

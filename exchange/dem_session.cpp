@@ -1,0 +1,275 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file dem_session.cpp
+/// The DEM half's side of a session.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "farewell.h"
+#include "handshake.h"
+#include "routing.h"
+#include "session.h"
+#include "waiting.h"
+#include "wire.h"
+
+namespace clay {
+
+namespace {
+
+using wire::Header;
+using wire::Kind;
+
+constexpr const char* forAnswer = "the CFD half's answer";
+constexpr const char* forTaking = "the CFD half to take in the state";
+
+double now() { return PMPI_Wtime(); }
+
+std::string text(const double* x) {
+  char s[96];
+  std::snprintf(s, sizeof s, "(%.9g %.9g %.9g)", x[0], x[1], x[2]);
+  return s;
+}
+
+}  // namespace
+
+struct DemSession::Impl {
+  // What goes to one CFD rank and comes back from it. The buffers keep their memory.
+  struct Peer {
+    Header header;
+    std::vector<double> state, answer;
+    std::size_t answerSlot = 0;
+  };
+
+  BothTerms terms;
+  FieldSet sends, receives;
+  Routing routing;
+  std::vector<Peer> peers;
+  std::vector<MPI_Request> out, in;
+  std::vector<MPI_Status> inStatus;
+  std::vector<long> answeredIn;  // exchange in which a particle was answered
+  const Particles* sent = nullptr;
+  double lastTime = 0, sentAt = 0;
+  bool open = false, awaiting = false, arrived = false, runOver = false;
+  Timing timing;
+
+  // Fields of the state and of the answer change when a further run asks for others
+  void settle() {
+    sends = stateFields(terms);
+    receives = answerFields(terms);
+  }
+
+  void announce(Kind kind) {
+    const auto& world = World::instance();
+    waitUntil([&] { return allDone(out); }, forTaking, &timing.waiting);
+    out.clear();
+    for (std::size_t p = 0; p < peers.size(); ++p) {
+      auto& header = peers[p].header;
+      header = Header{};
+      header.kind = static_cast<int>(kind);
+      header.exchange = static_cast<double>(timing.exchanges);
+      header.time = lastTime;
+      post(&header, Header::doubles, world.peers()[p], wire::tagHeader);
+    }
+  }
+
+  void post(const void* data, std::size_t doubles, int rank, int tag) {
+    out.emplace_back();
+    PMPI_Isend(data, static_cast<int>(doubles), MPI_DOUBLE, rank, tag,
+               World::instance().whole(), &out.back());
+    timing.bytesSent += 8. * static_cast<double>(doubles);
+  }
+
+  void pack(const Particles& particles, const Routing::Route& route, Peer& peer);
+  bool test();
+  void unpack(Particles& answer);
+  [[noreturn]] void lost(int i) const;
+};
+
+// Field by field, then the list of sharers
+void DemSession::Impl::pack(const Particles& particles, const Routing::Route& route, Peer& peer) {
+  const std::size_t n = route.particles.size();
+  peer.state.resize(n * static_cast<std::size_t>(sends.width()) + route.shares.size());
+  double* to = peer.state.data();
+  for (unsigned k = 0; k < fieldCount; ++k) {
+    const auto f = static_cast<Field>(k);
+    if (!sends.has(f)) continue;
+    const int width = components(f);
+    const double* from = particles[f];
+    for (int i : route.particles)
+      for (int c = 0; c < width; ++c) *to++ = from[width * i + c];
+  }
+  std::copy(route.shares.begin(), route.shares.end(), to);
+}
+
+bool DemSession::Impl::test() {
+  if (arrived) return true;
+  int done = 0;
+  PMPI_Testall(static_cast<int>(in.size()), in.data(), &done, inStatus.data());
+  arrived = done;
+  return arrived;
+}
+
+void DemSession::Impl::lost(int i) const {
+  const auto& world = terms.cfd.box;
+  const double* tag = sent->fields().has(Field::tag) ? (*sent)[Field::tag] : nullptr;
+  char when[40];
+  std::snprintf(when, sizeof when, "%.9g s", lastTime);
+  abandon("particle " + (tag ? std::to_string(std::llround(tag[i])) : std::string("?")) +
+          " at " + text((*sent)[Field::position] + 3 * i) + " m lies outside the mesh, " +
+          text(world.lo.data()) + " to " + text(world.hi.data()) + " m, at " + when);
+}
+
+void DemSession::Impl::unpack(Particles& answer) {
+  const int n = sent->size();
+  if (!(answer.fields() == receives)) answer = Particles(receives);
+  answer.resize(n);
+  answeredIn.resize(static_cast<std::size_t>(n), -1);
+  std::fill(answeredIn.begin(), answeredIn.end(), -1);
+  const std::size_t width = static_cast<std::size_t>(receives.width());
+  for (std::size_t p = 0; p < peers.size(); ++p) {
+    const auto& peer = peers[p];
+    const auto& particles = routing[p].particles;
+    if (particles.empty()) continue;
+    int doubles = 0;
+    PMPI_Get_count(&inStatus[peer.answerSlot], MPI_DOUBLE, &doubles);
+    const std::size_t answers = static_cast<std::size_t>(doubles) / (1 + width);
+    const double* index = peer.answer.data();
+    const double* from = index + answers;
+    for (std::size_t a = 0; a < answers; ++a) {
+      const auto i = static_cast<std::size_t>(particles[static_cast<std::size_t>(index[a])]);
+      if (answeredIn[i] >= 0) abandon("two CFD ranks answered for the same particle");
+      answeredIn[i] = timing.exchanges;
+    }
+    for (unsigned k = 0; k < fieldCount; ++k) {
+      const auto f = static_cast<Field>(k);
+      if (!receives.has(f)) continue;
+      const int c = components(f);
+      double* to = answer[f];
+      for (std::size_t a = 0; a < answers; ++a, from += c)
+        std::copy(from, from + c, to + c * particles[static_cast<std::size_t>(index[a])]);
+    }
+  }
+  for (int i = 0; i < n; ++i)
+    if (answeredIn[static_cast<std::size_t>(i)] < 0) lost(i);
+}
+
+DemSession::DemSession(const DemTerms& mine) : impl_(new Impl) {
+  auto& s = *impl_;
+  s.terms = shakeHands(Half::dem, encode(mine));
+  s.settle();
+  s.routing = Routing(receiveBoxes());
+  s.peers.resize(s.routing.size());
+  s.lastTime = s.terms.dem.startTime;
+  s.open = true;
+}
+
+DemSession::~DemSession() {
+  // messages under way keep their buffers: the program ends without a goodbye
+  if (impl_ && impl_->open) static_cast<void>(impl_.release());
+}
+
+const CfdTerms& DemSession::peer() const { return impl_->terms.cfd; }
+const FieldSet& DemSession::sends() const { return impl_->sends; }
+const FieldSet& DemSession::receives() const { return impl_->receives; }
+const Timing& DemSession::timing() const { return impl_->timing; }
+
+void DemSession::send(const Particles& particles, double time, bool last,
+                      const std::array<double, 3>& impulse) {
+  auto& s = *impl_;
+  const auto& world = World::instance();
+  FieldSet needed = s.sends;
+  needed.add(Field::position);
+  needed.add(Field::radius);
+  if (!needed.without(particles.fields()).empty())
+    throw std::logic_error("DemSession::send: a field that the CFD half needs is missing");
+  if (s.awaiting) throw std::logic_error("DemSession::send: the last answer was not received");
+  if (s.runOver) throw std::logic_error("DemSession::send: the run is over, resume() comes first");
+
+  const double start = now(), idle = s.timing.waiting;
+  waitUntil([&] { return allDone(s.out); }, forTaking, &s.timing.waiting);
+  s.out.clear();
+  s.routing.route(particles[Field::position], particles[Field::radius], particles.size());
+  const std::size_t width = static_cast<std::size_t>(s.receives.width());
+  s.in.clear();
+  for (std::size_t p = 0; p < s.peers.size(); ++p) {
+    auto& peer = s.peers[p];
+    const auto& route = s.routing[p];
+    const std::size_t n = route.particles.size();
+    auto& h = peer.header;
+    h.kind = static_cast<int>(Kind::state);
+    h.exchange = static_cast<double>(s.timing.exchanges);
+    h.time = time;
+    h.interval = time - s.lastTime;
+    h.last = last;
+    h.count = static_cast<double>(n);
+    h.shares = static_cast<double>(route.shares.size());
+    std::copy(impulse.begin(), impulse.end(), h.impulse);
+    s.post(&h, Header::doubles, world.peers()[p], wire::tagHeader);
+    if (n == 0) continue;
+    s.pack(particles, route, peer);
+    s.post(peer.state.data(), peer.state.size(), world.peers()[p], wire::tagState);
+    peer.answer.resize(n * (1 + width));
+    peer.answerSlot = s.in.size();
+    s.in.emplace_back();
+    PMPI_Irecv(peer.answer.data(), static_cast<int>(peer.answer.size()), MPI_DOUBLE,
+               world.peers()[p], wire::tagAnswer, world.whole(), &s.in.back());
+  }
+  s.inStatus.resize(s.in.size());
+  s.sent = &particles;
+  s.lastTime = time;
+  s.sentAt = now();
+  s.runOver = last;
+  s.awaiting = true;
+  s.arrived = false;
+  ++s.timing.exchanges;
+  s.timing.exchange += now() - start - (s.timing.waiting - idle);
+}
+
+bool DemSession::answered() {
+  if (impl_->awaiting && impl_->test()) return true;
+  checkFarewell();
+  if (impl_->awaiting) endOnSilence(now() - impl_->sentAt, forAnswer);
+  return !impl_->awaiting;
+}
+
+void DemSession::receive(Particles& answer) {
+  auto& s = *impl_;
+  if (!s.awaiting) throw std::logic_error("DemSession::receive: nothing was sent");
+  const double start = now(), idle = s.timing.waiting;
+  waitUntil([&] { return s.test(); }, forAnswer, &s.timing.waiting);
+  s.unpack(answer);
+  s.awaiting = false;
+  s.timing.exchange += now() - start - (s.timing.waiting - idle);
+}
+
+void DemSession::resume(const DemTerms& terms) {
+  auto& s = *impl_;
+  const auto& world = World::instance();
+  if (s.awaiting)
+    throw std::logic_error("DemSession::resume: the last answer was not received");
+  s.announce(Kind::resume);
+  // the first rank's terms count, as in the first handshake
+  if (world.rank() == 0)
+    sendText(encode(terms), world.peers()[0], wire::tagTerms, forTaking);
+  const std::string agreed = shareText(encode(terms));
+  s.terms.dem = decodeDem(agreed);
+  // the CFD half goes on where the last run ended
+  s.runOver = false;
+  s.terms.cfd.startTime = s.lastTime;
+  agree(s.terms.dem, s.terms.cfd);
+  s.settle();
+}
+
+void DemSession::close() {
+  auto& s = *impl_;
+  if (!s.open) return;
+  if (s.awaiting) waitUntil([&] { return s.test(); }, forAnswer, &s.timing.waiting);
+  s.awaiting = false;
+  s.announce(Kind::close);
+  waitUntil([&] { return allDone(s.out); }, forTaking, &s.timing.waiting);
+  s.open = false;
+  setStage(Stage::parted);
+}
+
+}  // namespace clay

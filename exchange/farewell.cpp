@@ -1,0 +1,295 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+#include "farewell.h"
+
+#include <errno.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <thread>
+#include <utility>
+
+#include "wire.h"
+
+namespace clay {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Seconds. Their sum stays below the 10 s in which both halves must have ended.
+constexpr double deliveryGrace = 2.5;  // until the other half listens
+constexpr double savingGrace = 5.0;    // until the other half has saved
+
+struct State {
+  Stage stage = Stage::uncoupled;
+  bool halfKnown = false;
+  Half half = Half::dem;
+  bool watching = false, mayFinalize = false;
+  std::atomic<bool> ending{false};
+  std::function<void(const std::string&)> save;
+};
+
+State& state() {
+  // never destroyed: it is still needed while the program exits
+  static State* s = new State;
+  return *s;
+}
+
+class Deadline {
+ public:
+  explicit Deadline(double seconds) : seconds_(seconds), start_(Clock::now()) {}
+  bool over() const {
+    return std::chrono::duration<double>(Clock::now() - start_).count() > seconds_;
+  }
+
+ private:
+  double seconds_;
+  Clock::time_point start_;
+};
+
+void nap() { std::this_thread::sleep_for(std::chrono::microseconds(300)); }
+
+bool mpiRuns() {
+  int started = 0, over = 0;
+  PMPI_Initialized(&started);
+  if (started) PMPI_Finalized(&over);
+  return started && !over;
+}
+
+bool twoPrograms() {
+  return mpiRuns() && World::instance().ready() && World::instance().programs() == 2;
+}
+
+// Takes a farewell in, if there is one
+bool takeFarewell(std::string& reason) {
+  MPI_Comm whole = World::instance().whole();
+  int there = 0;
+  MPI_Status status;
+  PMPI_Iprobe(MPI_ANY_SOURCE, wire::tagFarewell, whole, &there, &status);
+  if (!there) return false;
+  int length = 0;
+  PMPI_Get_count(&status, MPI_CHAR, &length);
+  reason.assign(static_cast<std::size_t>(length), ' ');
+  PMPI_Recv(&reason[0], length, MPI_CHAR, status.MPI_SOURCE, wire::tagFarewell, whole,
+            MPI_STATUS_IGNORE);
+  return true;
+}
+
+// Tells every rank of the other half why this half ends, and waits until the
+// other half ends both, or until it had time enough.
+void tellPeers(const std::string& reason) {
+  const auto& world = World::instance();
+  std::vector<MPI_Request> requests(world.peers().size());
+  for (std::size_t i = 0; i < requests.size(); ++i)
+    PMPI_Issend(reason.data(), static_cast<int>(reason.size()), MPI_CHAR, world.peers()[i],
+                wire::tagFarewell, world.whole(), &requests[i]);
+  const Deadline delivery(deliveryGrace), saving(deliveryGrace + savingGrace);
+  int delivered = 0;
+  std::string theirs;
+  while (!saving.over()) {
+    PMPI_Testall(static_cast<int>(requests.size()), requests.data(), &delivered,
+                 MPI_STATUSES_IGNORE);
+    // both halves may end at the same time
+    if (takeFarewell(theirs)) return;
+    if (!delivered && delivery.over() && world.rank() == 0) return;
+    nap();
+  }
+}
+
+void say(const std::string& line) {
+  std::cout.flush();
+  const std::string whole = programName() + ": " + line + "\n";
+  std::fputs(whole.c_str(), stderr);
+  std::fflush(stderr);
+}
+
+// The other half has ended: save what there is, all ranks, then end.
+[[noreturn]] void follow(const std::string& reason) {
+  const auto& world = World::instance();
+  auto& s = state();
+  if (world.rank() == 0) {
+    const char* other = !s.halfKnown ? "other" : s.half == Half::dem ? "CFD" : "DEM";
+    say(std::string("stopped: the ") + other + " half ended: " + reason);
+  }
+  const bool saves = static_cast<bool>(s.save);
+  const Deadline deadline(saves ? savingGrace : 1.0);
+  if (saves) try {
+      s.save(reason);
+    } catch (const std::exception& e) {
+      say(std::string("the state could not be saved: ") + e.what());
+    } catch (...) {
+      say("the state could not be saved");
+    }
+  char done = 1;
+  if (world.rank() == 0) {
+    int missing = world.size() - 1;
+    while (missing > 0 && !deadline.over()) {
+      int there = 0;
+      MPI_Status status;
+      PMPI_Iprobe(MPI_ANY_SOURCE, wire::tagSaved, world.whole(), &there, &status);
+      if (there) {
+        PMPI_Recv(&done, 1, MPI_CHAR, status.MPI_SOURCE, wire::tagSaved, world.whole(),
+                  MPI_STATUS_IGNORE);
+        --missing;
+      } else {
+        nap();
+      }
+    }
+  } else {
+    MPI_Request request;
+    PMPI_Isend(&done, 1, MPI_CHAR, world.mates()[0], wire::tagSaved, world.whole(), &request);
+    const Deadline patience(deliveryGrace + savingGrace);
+    int sent = 0;
+    while (!patience.over()) {
+      if (!sent) PMPI_Test(&request, &sent, MPI_STATUS_IGNORE);
+      nap();
+    }
+  }
+  endAll(1);
+}
+
+// Before this half ends both: the other half is told, or, when it knows already
+// that the run is over, may come to its own end
+void partFrom(const std::string& reason) {
+  if (!twoPrograms()) return;
+  if (state().stage == Stage::parted)
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  else
+    tellPeers(reason);
+}
+
+// When many ranks of a half fail at the same time, the first one speaks for all
+// and ends them.
+bool firstRankSpeaks() {
+  if (!mpiRuns() || !World::instance().ready()) return false;
+  const auto& world = World::instance();
+  const int tag = wire::tagSpeaks;
+  if (world.rank() == 0) {
+    static char word = 0;
+    static std::vector<MPI_Request> requests(world.mates().size());
+    for (std::size_t r = 1; r < requests.size(); ++r)
+      PMPI_Isend(&word, 1, MPI_CHAR, world.mates()[r], tag, world.whole(), &requests[r]);
+    return false;
+  }
+  int speaks = 0;
+  for (const Deadline patience(0.2); !speaks && !patience.over(); nap())
+    PMPI_Iprobe(world.mates()[0], tag, world.whole(), &speaks, MPI_STATUS_IGNORE);
+  for (const Deadline patience(deliveryGrace + savingGrace); speaks && !patience.over();) nap();
+  return speaks != 0;
+}
+
+std::string tooEarly() {
+  return programName() + (state().stage == Stage::uncoupled
+                              ? " ended without ever coupling"
+                              : " ended before the coupled run did");
+}
+
+void atExit() {
+  auto& s = state();
+  if (s.ending || !mpiRuns()) return;
+  if (twoPrograms() && s.stage != Stage::parted) {
+    s.ending = true;
+    const std::string reason = tooEarly();
+    if (World::instance().rank() == 0) say(reason);
+    tellPeers(reason);
+    endAll(1);
+  }
+  if (s.mayFinalize) {
+    s.ending = true;
+    PMPI_Finalize();
+  }
+}
+
+[[noreturn]] void onTerminate() {
+  std::string reason = "ended by an uncaught exception";
+  if (auto e = std::current_exception()) try {
+      std::rethrow_exception(e);
+    } catch (const std::exception& x) {
+      reason += std::string(": ") + x.what();
+    } catch (...) {
+    }
+  abandon(reason);
+}
+
+}  // namespace
+
+void endAll(int code) {
+  if (code == 0) code = 1;
+  std::cout.flush();
+  std::cerr.flush();
+  std::fflush(nullptr);
+  // Open MPI's mpirun ends the other processes when one fails. The message that
+  // goes with MPI_Abort at times makes mpirun 4.1 crash or hang.
+  if (mpiRuns() && !std::getenv("OMPI_MCA_orte_launch")) PMPI_Abort(MPI_COMM_WORLD, code);
+  _exit(code);
+}
+
+std::string programName() { return program_invocation_short_name; }
+
+void setStage(Stage stage) { state().stage = stage; }
+
+Stage stage() { return state().stage; }
+
+void setHalf(Half half) {
+  state().half = half;
+  state().halfKnown = true;
+}
+
+void onFarewell(std::function<void(const std::string&)> save) {
+  state().save = std::move(save);
+}
+
+void checkFarewell() {
+  if (state().ending || !twoPrograms()) return;
+  std::string reason;
+  if (!takeFarewell(reason)) return;
+  state().ending = true;
+  follow(reason);
+}
+
+void beforeFinalize() {
+  auto& s = state();
+  if (s.ending) endAll(1);
+  if (!twoPrograms() || s.stage == Stage::parted) return;
+  s.ending = true;
+  if (World::instance().rank() == 0) {
+    const std::string reason = tooEarly();
+    say(reason);
+    tellPeers(reason);
+  } else {
+    // the first rank speaks for this half and ends it
+    const Deadline patience(deliveryGrace + savingGrace);
+    while (!patience.over()) nap();
+  }
+  endAll(1);
+}
+
+void abortBoth(int code) {
+  if (!state().ending.exchange(true))
+    partFrom(programName() + " called MPI_Abort with code " + std::to_string(code));
+  endAll(code);
+}
+
+void abandon(const std::string& reason) {
+  if (!state().ending.exchange(true) && !firstRankSpeaks()) {
+    say(reason);
+    partFrom(reason);
+  }
+  endAll(1);
+}
+
+void watchExit(bool mayFinalize) {
+  auto& s = state();
+  s.mayFinalize = s.mayFinalize || mayFinalize;
+  if (s.watching) return;
+  s.watching = true;
+  std::atexit(atExit);
+  if (World::instance().programs() == 2) std::set_terminate(onTerminate);
+}
+
+}  // namespace clay

@@ -1,0 +1,100 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file fields.h
+/// What a message can hold: the per-particle fields of either direction.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace clay {
+
+/// A per-particle field on the wire. All values are doubles, in SI units.
+enum class Field : unsigned {
+  // DEM to CFD
+  position,         ///< centre [m], 3
+  radius,           ///< geometric radius [m], 1
+  volume,           ///< solid volume it stands for [m3], 1
+  velocity,         ///< velocity of the centre [m/s], 3
+  tag,              ///< the DEM half's particle number, 1
+  body,             ///< number of the clump it belongs to, -1 for none, 1
+  impulse,          ///< impulse received from the fluid since the last exchange [N s], 3
+  mass,             ///< mass it stands for [kg], 1
+  // CFD to DEM
+  dragCoefficient,  ///< K in F = K (u - v) [kg/s], 1
+  fluidVelocity,    ///< u in F = K (u - v) [m/s], 3
+  force,            ///< explicit force (pressure gradient, viscous, buoyancy) [N], 3
+  count
+};
+
+constexpr unsigned fieldCount = static_cast<unsigned>(Field::count);
+
+/// Number of doubles a particle has of a field.
+int components(Field f);
+
+/// The field's name, as it stands in the handshake.
+const char* name(Field f);
+
+/// A set of fields.
+class FieldSet {
+ public:
+  FieldSet() = default;
+  FieldSet(std::initializer_list<Field> fields) { for (auto f : fields) add(f); }
+  void add(Field f) { bits_ |= 1u << static_cast<unsigned>(f); }
+  bool has(Field f) const { return bits_ >> static_cast<unsigned>(f) & 1u; }
+  bool operator==(const FieldSet& o) const { return bits_ == o.bits_; }
+  /// The fields of this set that the other lacks.
+  FieldSet without(const FieldSet& o) const { FieldSet s; s.bits_ = bits_ & ~o.bits_; return s; }
+  bool empty() const { return bits_ == 0; }
+  /// Doubles a particle has in a message of these fields.
+  int width() const;
+  std::vector<std::string> names() const;
+  static FieldSet fromNames(const std::vector<std::string>&);
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+/// Particles as one array a field: field f of particle i stands at
+/// components(f)*i. Fields that are not in the set are empty.
+class Particles {
+ public:
+  explicit Particles(FieldSet fields = {}) : fields_(fields) {}
+  const FieldSet& fields() const { return fields_; }
+  int size() const { return size_; }
+  /// Makes room for n particles; what was there stays.
+  void resize(int n);
+  /// Forgets the particles, keeps the memory.
+  void clear() { resize(0); }
+  double* operator[](Field f) { return data_[static_cast<unsigned>(f)].data(); }
+  const double* operator[](Field f) const { return data_[static_cast<unsigned>(f)].data(); }
+
+ private:
+  FieldSet fields_;
+  int size_ = 0;
+  std::array<std::vector<double>, fieldCount> data_;
+};
+
+/// Where a value that is not a number (or is infinite) stands.
+struct NonFinite {
+  int particle = -1;  ///< index of the particle, -1 when all values are finite
+  Field field = Field::count;
+};
+
+/// The first particle that has a value which is not finite.
+NonFinite firstNonFinite(const Particles&);
+
+/// An axis-parallel box [m].
+struct Box {
+  std::array<double, 3> lo{{1e300, 1e300, 1e300}}, hi{{-1e300, -1e300, -1e300}};
+  /// True when a sphere of radius r at x touches the box.
+  bool reaches(const double* x, double r) const {
+    for (int i = 0; i < 3; ++i)
+      if (x[i] + r < lo[i] || x[i] - r > hi[i]) return false;
+    return true;
+  }
+};
+
+}  // namespace clay

@@ -1,0 +1,115 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+#include "handshake.h"
+
+#include <cstring>
+
+#include "farewell.h"
+#include "waiting.h"
+#include "wire.h"
+
+namespace clay {
+
+namespace {
+
+constexpr const char* forTerms = "the other half's terms";
+constexpr const char* forBoxes = "the boxes of the CFD ranks";
+
+// The first rank's text on every rank of this half
+std::string fromFirst(const std::string& text, int tag, const char* forWhat) {
+  const auto& world = World::instance();
+  if (world.rank() != 0) return receiveText(world.mates()[0], tag, forWhat);
+  for (int r = 1; r < world.size(); ++r)
+    sendText(text, world.mates()[static_cast<std::size_t>(r)], tag, forWhat);
+  return text;
+}
+
+std::string pack(const Box* boxes, std::size_t n) {
+  return std::string(reinterpret_cast<const char*>(boxes), n * sizeof(Box));
+}
+
+}  // namespace
+
+BothTerms shakeHands(Half half, const std::string& myTerms) {
+  const auto& world = World::instance();
+  if (!world.ready() || world.programs() != 2)
+    throw Refusal("started alone: a coupled run is `mpirun -np N liggghts-clay ... : "
+                  "-np M clayFoam ...`");
+  setHalf(half);
+  silenceLimit();
+  const int tag = wire::tagTerms;
+  std::string theirs;
+  if (world.rank() == 0) {
+    // both halves send first: the message must be under way before the wait
+    std::vector<MPI_Request> request(1);
+    PMPI_Isend(myTerms.data(), static_cast<int>(myTerms.size()), MPI_CHAR, world.peers()[0],
+               tag, world.whole(), &request[0]);
+    theirs = receiveText(world.peers()[0], tag, forTerms);
+    waitUntil([&] { return allDone(request); }, forTerms);
+  }
+  const std::string mine = fromFirst(myTerms, tag, forTerms);
+  theirs = fromFirst(theirs, tag, forTerms);
+  BothTerms both;
+  try {
+    both.dem = decodeDem(half == Half::dem ? mine : theirs);
+    both.cfd = decodeCfd(half == Half::cfd ? mine : theirs);
+  } catch (const Refusal&) {
+    setStage(Stage::parted);
+    throw;
+  }
+  agree(both.dem, both.cfd);
+  setStage(Stage::coupled);
+  return both;
+}
+
+void agree(const DemTerms& dem, const CfdTerms& cfd) {
+  const std::string line = disagreement(dem, cfd);
+  if (line.empty()) return;
+  setStage(Stage::parted);
+  throw Refusal(line);
+}
+
+void sendBoxes(const Box& rankBox) {
+  const auto& world = World::instance();
+  const int tag = wire::tagBoxes;
+  if (world.rank() != 0) {
+    sendText(pack(&rankBox, 1), world.mates()[0], tag, forBoxes);
+    return;
+  }
+  std::string all = pack(&rankBox, 1);
+  for (int r = 1; r < world.size(); ++r)
+    all += receiveText(world.mates()[static_cast<std::size_t>(r)], tag, forBoxes);
+  sendText(all, world.peers()[0], tag, forBoxes);
+}
+
+std::string shareText(const std::string& text) {
+  return fromFirst(text, wire::tagTerms, forTerms);
+}
+
+std::string receiveFromPeers(int tag, const char* forWhat) {
+  const auto& world = World::instance();
+  std::string text;
+  if (world.rank() == 0) text = receiveText(world.peers()[0], tag, forWhat);
+  return fromFirst(text, tag, forWhat);
+}
+
+std::vector<Box> receiveBoxes() {
+  const std::string text = receiveFromPeers(wire::tagBoxes, forBoxes);
+  std::vector<Box> boxes(text.size() / sizeof(Box));
+  std::memcpy(boxes.data(), text.data(), boxes.size() * sizeof(Box));
+  return boxes;
+}
+
+FieldSet stateFields(const BothTerms& both) {
+  return both.cfd.needs;
+}
+
+FieldSet answerFields(const BothTerms& both) {
+  FieldSet set;
+  for (unsigned i = 0; i < fieldCount; ++i) {
+    const auto f = static_cast<Field>(i);
+    if (both.cfd.offers.has(f) && (both.dem.needs.has(f) || f == Field::force)) set.add(f);
+  }
+  return set;
+}
+
+}  // namespace clay

@@ -1,0 +1,123 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file session.h
+/// One coupled run from handshake to goodbye, seen from either half.
+///
+/// Exchange k, at time t_k: the DEM half sends a state (send), the CFD half
+/// takes it in (next), maps it and answers (answer); the DEM half picks the
+/// answer up when it needs it (receive) and marches to t_k+1, while the CFD
+/// half solves the same interval. Waiting is done with back-off. A wait ends
+/// at once, by abandon(), when the other half has failed or gone.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "fields.h"
+#include "terms.h"
+#include "world.h"
+
+namespace clay {
+
+/// Seconds this rank spent in the exchange.
+struct Timing {
+  double exchange = 0;     ///< packing, sending, receiving, unpacking
+  double waiting = 0;      ///< idle, for the other half
+  long exchanges = 0;      ///< states sent or taken in
+  double bytesSent = 0;    ///< payload of this rank's messages
+};
+
+/// The DEM half's side. Collective over the half, except where stated.
+class DemSession {
+ public:
+  /// Shakes hands; throws Refusal on both halves when the terms do not fit.
+  explicit DemSession(const DemTerms& mine);
+  ~DemSession();
+
+  const CfdTerms& peer() const;
+  /// Fields the CFD half needs: those and no others are sent.
+  const FieldSet& sends() const;
+  /// Fields of the answer.
+  const FieldSet& receives() const;
+
+  /// Sends this rank's particles, each to the CFD ranks whose box it touches;
+  /// does not wait. The particles must stay untouched until receive().
+  /// time [s] is this exchange's; last says that this is a run's last state;
+  /// impulse [N s] is what the fluid has given to this rank's particles since
+  /// the session began, summed by this half for the balance of momentum.
+  void send(const Particles& particles, double time, bool last,
+            const std::array<double, 3>& impulse);
+
+  /// True when the answer to the last send() has come in (local).
+  bool answered();
+
+  /// Waits for the answer and hands it over in the order of the sent particles.
+  /// A particle that was found in no cell ends both halves, by abandon(), with
+  /// its number and position.
+  void receive(Particles& answer);
+
+  /// Starts a further run after a state marked as last.
+  void resume(const DemTerms& terms);
+
+  /// Says goodbye; the session is over.
+  void close();
+
+  const Timing& timing() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The CFD half's side.
+class CfdSession {
+ public:
+  /// What next() brought.
+  enum class Event { state, resumed, closed };
+
+  /// mine.box is the whole mesh, rankBox this rank's part of it.
+  CfdSession(const CfdTerms& mine, const Box& rankBox);
+  ~CfdSession();
+
+  const DemTerms& peer() const;
+  const FieldSet& receives() const;
+  const FieldSet& sends() const;
+
+  /// Waits for what the DEM half does next; a state fills the particles. A
+  /// particle that touches several ranks' boxes comes to each of them.
+  Event next(Particles& particles);
+
+  /// Time of the last state [s], and whether it was marked as a run's last.
+  double time() const;
+  bool last() const;
+
+  /// Time between the last state and the one before it, or the start [s].
+  double interval() const;
+
+  /// The DEM half's own sum of the impulse given to particles so far [N s],
+  /// over its ranks (the same on every CFD rank).
+  std::array<double, 3> impulse() const;
+
+  /// Sums a value per particle over all ranks that hold the particle:
+  /// values[stride*i + c]. Particles of this rank alone are left as they are.
+  void sumShared(std::vector<double>& values, int stride);
+
+  /// Of all ranks that hold a particle, the one with the smallest claim owns
+  /// it (ties: the lowest rank); a claim above 1e299 is none. Returns 1 for
+  /// particles owned here.
+  std::vector<char> own(const std::vector<double>& claims);
+
+  /// Answers the last state: the fields of sends() for every particle of this
+  /// rank; only those owned here are sent.
+  void answer(const Particles& answers, const std::vector<char>& owned);
+
+  void close();
+
+  const Timing& timing() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace clay

@@ -1,0 +1,133 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file terms.cpp
+/// The terms as JSON. Doubles survive the way there and back bit by bit.
+#include "terms.h"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace clay {
+
+namespace {
+
+using Json = nlohmann::json;
+
+// JSON has no infinity and no NaN; a null stands for either
+double number(const Json& j) {
+  return j.is_null() ? std::numeric_limits<double>::quiet_NaN() : j.get<double>();
+}
+
+std::array<double, 3> triple(const Json& j) {
+  return {{number(j.at(0)), number(j.at(1)), number(j.at(2))}};
+}
+
+Json text(const Box& box) { return {{"lo", box.lo}, {"hi", box.hi}}; }
+
+Box box(const Json& j) {
+  Box b;
+  b.lo = triple(j.at("lo"));
+  b.hi = triple(j.at("hi"));
+  return b;
+}
+
+FieldSet fields(const Json& j) {
+  return FieldSet::fromNames(j.get<std::vector<std::string>>());
+}
+
+// Text of the given half, or a Refusal
+Json parse(const std::string& s, const std::string& half, const std::string& other) {
+  Json j = Json::parse(s, nullptr, false);
+  if (j.is_discarded() || !j.is_object() || !j.contains("half") || !j.contains("wire"))
+    throw Refusal("the other program of this mpirun does not speak clayFoam's exchange");
+  if (j["half"] != half)
+    throw Refusal("both programs of this mpirun are " + other +
+                  " halves; a coupled run has one DEM half and one CFD half");
+  return j;
+}
+
+template <class Terms, class Read>
+Terms decode(const std::string& s, const char* half, const char* other, Read read) {
+  const Json j = parse(s, half, other);
+  Terms t;
+  try {
+    t.wire = j["wire"].get<int>();
+    t.program = j.value("program", "");
+    // what another version of the wire holds is not known
+    if (t.wire == wireVersion) read(j, t);
+  } catch (const std::exception& e) {
+    throw Refusal(std::string("the terms of the ") + half +
+                  " half cannot be read: " + e.what());
+  }
+  return t;
+}
+
+}  // namespace
+
+std::string encode(const DemTerms& t) {
+  return Json{{"half", "DEM"},
+              {"wire", t.wire},
+              {"program", t.program},
+              {"step", t.step},
+              {"interval", t.interval},
+              {"startTime", t.startTime},
+              {"endTime", t.endTime},
+              {"gravity", t.gravity},
+              {"hasGravity", t.hasGravity},
+              {"box", text(t.box)},
+              {"particles", t.particles},
+              {"maxRadius", t.maxRadius},
+              {"offers", t.offers.names()},
+              {"needs", t.needs.names()}}
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string encode(const CfdTerms& t) {
+  Json j{{"half", "CFD"},
+         {"wire", t.wire},
+         {"program", t.program},
+         {"startTime", t.startTime},
+         {"fluidDensity", t.fluidDensity},
+         {"fluidViscosity", t.fluidViscosity},
+         {"box", text(t.box)},
+         {"overlap", t.overlap},
+         {"needs", t.needs.names()},
+         {"offers", t.offers.names()}};
+  if (t.endTime) j["endTime"] = *t.endTime;
+  if (t.couplingInterval) j["couplingInterval"] = *t.couplingInterval;
+  if (t.gravity) j["gravity"] = *t.gravity;
+  return j.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+DemTerms decodeDem(const std::string& s) {
+  return decode<DemTerms>(s, "DEM", "CFD", [](const Json& j, DemTerms& t) {
+    t.step = number(j.at("step"));
+    t.interval = j.at("interval").get<long>();
+    t.startTime = number(j.at("startTime"));
+    t.endTime = number(j.at("endTime"));
+    t.gravity = triple(j.at("gravity"));
+    t.hasGravity = j.at("hasGravity").get<bool>();
+    t.box = box(j.at("box"));
+    t.particles = j.at("particles").get<long>();
+    t.maxRadius = number(j.at("maxRadius"));
+    t.offers = fields(j.at("offers"));
+    t.needs = fields(j.at("needs"));
+  });
+}
+
+CfdTerms decodeCfd(const std::string& s) {
+  return decode<CfdTerms>(s, "CFD", "DEM", [](const Json& j, CfdTerms& t) {
+    t.startTime = number(j.at("startTime"));
+    t.fluidDensity = number(j.at("fluidDensity"));
+    t.fluidViscosity = number(j.at("fluidViscosity"));
+    t.box = box(j.at("box"));
+    t.overlap = j.at("overlap").get<bool>();
+    t.needs = fields(j.at("needs"));
+    t.offers = fields(j.at("offers"));
+    if (j.contains("endTime")) t.endTime = number(j["endTime"]);
+    if (j.contains("couplingInterval")) t.couplingInterval = number(j["couplingInterval"]);
+    if (j.contains("gravity")) t.gravity = triple(j["gravity"]);
+  });
+}
+
+}  // namespace clay

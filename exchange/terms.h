@@ -1,0 +1,71 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file terms.h
+/// What the halves tell each other before the first exchange, and whether it fits.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "fields.h"
+
+namespace clay {
+
+/// Both halves must speak the same version of the wire.
+constexpr int wireVersion = 1;
+
+/// Raised, on every rank of both halves, when the halves do not fit.
+class Refusal : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What the DEM half states at the start of each run.
+struct DemTerms {
+  std::string program;              ///< name and version of the program
+  int wire = wireVersion;
+  double step = 0;                  ///< DEM time step [s]
+  long interval = 0;                ///< DEM steps between two exchanges
+  double startTime = 0;             ///< time at the start of this run [s]
+  double endTime = 0;               ///< time at its end [s]
+  std::array<double, 3> gravity{};  ///< [m/s2], zero without fix gravity
+  bool hasGravity = false;          ///< fix gravity is there
+  Box box;                          ///< simulation box [m]
+  long particles = 0;               ///< number of particles in the coupled group
+  double maxRadius = 0;             ///< [m]
+  FieldSet offers;                  ///< fields it can send
+  FieldSet needs;                   ///< fields it must get
+};
+
+/// What the CFD half states.
+struct CfdTerms {
+  std::string program;
+  int wire = wireVersion;
+  double startTime = 0;                          ///< [s]
+  std::optional<double> endTime;                 ///< if its own case states one [s]
+  std::optional<double> couplingInterval;        ///< if its own case states one [s]
+  std::optional<std::array<double, 3>> gravity;  ///< if its own case states one [m/s2]
+  double fluidDensity = 0;                       ///< [kg/m3]
+  double fluidViscosity = 0;                     ///< dynamic [Pa s]
+  Box box;                                       ///< bounds of the whole mesh [m]
+  bool overlap = true;                           ///< both halves march at the same time
+  FieldSet needs;                                ///< fields it must get
+  FieldSet offers;                               ///< fields it can send
+};
+
+/// Says in one line what does not fit, naming both values; empty when all fits.
+std::string disagreement(const DemTerms&, const CfdTerms&);
+
+/// What fits but looks odd, a line each (no gravity, a mesh 1000 times the box).
+std::vector<std::string> warnings(const DemTerms&, const CfdTerms&);
+
+/// The terms as text for the wire, and back. Reading the terms of the wrong
+/// half, or what is no text of terms at all, throws Refusal.
+std::string encode(const DemTerms&);
+std::string encode(const CfdTerms&);
+DemTerms decodeDem(const std::string&);
+CfdTerms decodeCfd(const std::string&);
+
+}  // namespace clay

@@ -1,0 +1,213 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file test_runs.cpp
+/// Two programs in one mpirun: what they exchange, and how they end.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+namespace {
+
+struct Outcome {
+  int code = -1;
+  double seconds = 0;
+  std::string text;
+  bool says(const std::string& s) const { return text.find(s) != std::string::npos; }
+};
+
+Outcome shell(const std::string& command) {
+  Outcome o;
+  const auto start = std::chrono::steady_clock::now();
+  FILE* pipe = popen(("timeout -k 5 50 " + command + " 2>&1").c_str(), "r");
+  if (!pipe) return o;
+  char buffer[4096];
+  for (std::size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) o.text.append(buffer, n);
+  const int status = pclose(pipe);
+  o.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  o.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return o;
+}
+
+std::string part(const char* program, const std::string& scenario, int ranks) {
+  return "-np " + std::to_string(ranks) + " " + program + " " + scenario + " " +
+         std::to_string(ranks);
+}
+
+Outcome run(const std::string& scenario, int dem = 1, int cfd = 1,
+            const std::string& settings = "") {
+  return shell("env " + settings + " " + MPIRUN + " " + part(DEM_PEER, scenario, dem) + " : " +
+               part(CFD_PEER, scenario, cfd));
+}
+
+void expectDone(const Outcome& o, int dem, int cfd) {
+  EXPECT_EQ(o.code, 0) << o.text;
+  int demDone = 0, cfdDone = 0;
+  for (std::size_t at = 0; (at = o.text.find("half done after", at)) != std::string::npos; ++at)
+    (o.text.compare(at - 4, 3, "DEM") == 0 ? demDone : cfdDone)++;
+  EXPECT_EQ(demDone, dem) << o.text;
+  EXPECT_EQ(cfdDone, cfd) << o.text;
+}
+
+// The run has ended in time, with a failure, and says why
+void expectEnd(const Outcome& o, const std::string& reason) {
+  EXPECT_NE(o.code, 0) << o.text;
+  EXPECT_NE(o.code, 124) << "it hung: " << o.text;
+  EXPECT_LT(o.seconds, 10) << o.text;
+  EXPECT_TRUE(o.says(reason)) << "no '" << reason << "' in: " << o.text;
+  EXPECT_FALSE(o.says("NOT TRUE")) << o.text;
+  EXPECT_FALSE(o.says("half done after")) << o.text;
+}
+
+const std::string demStops = "test_dem_peer: stopped: the CFD half ended: ";
+const std::string cfdStops = "test_cfd_peer: stopped: the DEM half ended: ";
+
+TEST(Echo, OneAndOne) { expectDone(run("echo", 1, 1), 1, 1); }
+TEST(Echo, TwoAndThree) { expectDone(run("echo", 2, 3), 2, 3); }
+TEST(Echo, ThreeAndOne) { expectDone(run("echo", 3, 1), 3, 1); }
+
+TEST(Echo, TheCfdHalfMayHoldTheLowRanks) {
+  expectDone(shell(std::string(MPIRUN) + " " + part(CFD_PEER, "echo", 2) + " : " +
+                   part(DEM_PEER, "echo", 2)),
+             2, 2);
+}
+
+TEST(Echo, AFurtherRunGoesOn) {
+  const Outcome o = run("resume", 2, 2);
+  expectDone(o, 2, 2);
+  EXPECT_TRUE(o.says("after 12 exchanges")) << o.text;
+}
+
+TEST(Echo, OfHostsThatSplitTheWorldThemselves) {
+  const Outcome o = shell(std::string(MPIRUN) + " -np 2 " + ADOPT_PEER + " dem : -np 3 " +
+                          ADOPT_PEER + " cfd");
+  EXPECT_EQ(o.code, 0) << o.text;
+  EXPECT_TRUE(o.says("5 ranks are done")) << o.text;
+}
+
+TEST(Echo, MpiIsEndedForAHostThatDoesNot) { expectDone(run("noFinalize", 1, 2), 1, 2); }
+
+TEST(Refused, OnEveryRankOfBothHalves) {
+  const Outcome o = run("refused", 2, 2);
+  expectEnd(o, "DEM half: the end times differ: 1.001 s in the DEM half, 0.001 s in the CFD half");
+  EXPECT_TRUE(o.says("CFD half: the end times differ: 1.001 s in the DEM half")) << o.text;
+}
+
+TEST(Refused, AFurtherRunAsWell) {
+  const Outcome o = run("resumeRefused", 1, 2);
+  expectEnd(o, "DEM half: the gravities differ: (0 0 -1) m/s2 in the DEM half");
+  EXPECT_TRUE(o.says("CFD half: the gravities differ")) << o.text;
+}
+
+TEST(Refused, AHalfStartedAlone) {
+  for (const char* program : {DEM_PEER, CFD_PEER})
+    expectEnd(shell(std::string(MPIRUN) + " " + part(program, "echo", 2)), "started alone");
+}
+
+TEST(Refused, AHalfStartedWithoutMpirun) {
+  expectEnd(shell(std::string(CFD_PEER) + " echo 1"), "started alone");
+}
+
+TEST(Refused, TwoHalvesOfOneKind) {
+  expectEnd(shell(std::string(MPIRUN) + " " + part(DEM_PEER, "echo", 1) + " : " +
+                  part(DEM_PEER, "echo", 1)),
+            "both programs of this mpirun are DEM halves");
+}
+
+TEST(Refused, ThreePrograms) {
+  expectEnd(shell(std::string(MPIRUN) + " " + part(DEM_PEER, "echo", 1) + " : " +
+                  part(CFD_PEER, "echo", 1) + " : " + part(CFD_PEER, "echo", 1)),
+            "this mpirun starts 3 programs; a coupled run has two");
+}
+
+TEST(Ends, WhenTheDemHalfExitsWithoutAnError) {
+  expectEnd(run("dem:exit0", 1, 2), cfdStops + "test_dem_peer ended before the coupled run did");
+}
+TEST(Ends, WhenTheDemHalfExitsWithAnError) {
+  expectEnd(run("dem:exit3", 2, 1), cfdStops + "test_dem_peer ended before the coupled run did");
+}
+TEST(Ends, WhenOneDemRankExits) {
+  expectEnd(run("dem0:exit3", 2, 2), cfdStops + "test_dem_peer ended before the coupled run did");
+}
+TEST(Ends, WhenTheCfdHalfExitsWithoutAnError) {
+  expectEnd(run("cfd:exit0", 2, 1), demStops + "test_cfd_peer ended before the coupled run did");
+}
+TEST(Ends, WhenTheCfdHalfExitsWithAnError) {
+  expectEnd(run("cfd:exit3", 1, 2), demStops + "test_cfd_peer ended before the coupled run did");
+}
+TEST(Ends, WhenTheDemHalfEndsAsLiggghtsDoesOnErrors) {
+  expectEnd(run("dem:error", 2, 2), cfdStops + "test_dem_peer ended before the coupled run did");
+}
+TEST(Ends, WhenTheDemHalfFinalizesEarly) {
+  expectEnd(run("dem:finalize", 1, 1), cfdStops + "test_dem_peer ended before the coupled run did");
+}
+TEST(Ends, WhenTheDemHalfSaysNoGoodbye) {
+  const Outcome o = run("noGoodbye", 1, 1);
+  EXPECT_NE(o.code, 0) << o.text;
+  EXPECT_LT(o.seconds, 10);
+  EXPECT_TRUE(o.says(cfdStops + "test_dem_peer ended before the coupled run did")) << o.text;
+}
+TEST(Ends, WhenTheDemHalfNeverCouples) {
+  for (const char* way : {"before:dem:finalize", "before:dem:error", "before:dem:exit0"})
+    expectEnd(run(way, 1, 2), cfdStops + "test_dem_peer ended without ever coupling");
+}
+TEST(Ends, WhenTheCfdHalfNeverCouples) {
+  expectEnd(run("before:cfd:exit0", 2, 1), demStops + "test_cfd_peer ended without ever coupling");
+}
+TEST(Ends, WhenAHalfAborts) {
+  expectEnd(run("cfd:abort", 1, 2), demStops + "test_cfd_peer called MPI_Abort with code 7");
+  expectEnd(run("dem0:abort", 2, 1), cfdStops + "test_dem_peer called MPI_Abort with code 7");
+}
+TEST(Ends, WhenAHalfThrows) {
+  expectEnd(run("dem:throw", 1, 1),
+            cfdStops + "ended by an uncaught exception: no more cheese");
+  expectEnd(run("cfd0:throw", 1, 2),
+            demStops + "ended by an uncaught exception: no more cheese");
+}
+TEST(Ends, WhenAHalfAbandonsTheRun) {
+  const Outcome o = run("cfd0:abandon", 2, 2);
+  expectEnd(o, demStops + "no more cheese");
+  EXPECT_TRUE(o.says("test_cfd_peer: no more cheese")) << o.text;
+}
+TEST(Ends, WithOneLineWhenAllRanksAbandonTheRun) {
+  const Outcome o = run("dem:abandon", 3, 1, "TEST_SAVE_SECONDS=1");
+  expectEnd(o, cfdStops + "no more cheese");
+  const std::string line = "test_dem_peer: no more cheese";
+  EXPECT_EQ(o.text.find(line), o.text.rfind(line)) << o.text;
+}
+TEST(Ends, WhenAHalfIsKilled) {
+  expectEnd(run("dem0:kill", 2, 2), "signal 9");
+  expectEnd(run("cfd:kill", 1, 1), "signal 9");
+}
+TEST(Ends, WhenAHalfLeavesWithoutAWord) { 
+  expectEnd(run("dem:_exit0", 1, 1), "exiting improperly");
+}
+
+TEST(Ends, WhenAParticleLeavesTheMesh) {
+  const Outcome o = run("lost", 2, 3);
+  expectEnd(o, "test_dem_peer: particle 18 at (1.5 ");
+  EXPECT_TRUE(o.says("lies outside the mesh, (0 0 0) to (1 0.5 0.5) m")) << o.text;
+  EXPECT_TRUE(o.says(cfdStops + "particle 18 at")) << o.text;
+}
+
+TEST(Ends, AfterTheOtherHalfHasSavedItsState) {
+  const Outcome o = run("dem:error", 1, 3, "TEST_SAVE_SECONDS=3");
+  expectEnd(o, "CFD rank 0 saved its state: test_dem_peer ended");
+  EXPECT_TRUE(o.says("CFD rank 1 saved its state")) << o.text;
+  EXPECT_TRUE(o.says("CFD rank 2 saved its state")) << o.text;
+}
+
+TEST(Ends, WhenAHalfIsSilentTooLong) {
+  const std::string limit = "CLAYFOAM_TIMEOUT=1.5";
+  expectEnd(run("dem:sleep", 1, 2, limit), "for the DEM half's next state; CLAYFOAM_TIMEOUT");
+  expectEnd(run("cfd:sleep", 2, 1, limit), "for the CFD half's answer; CLAYFOAM_TIMEOUT");
+  expectEnd(run("before:dem:sleep", 1, 1, limit), "for the other half's terms; CLAYFOAM_TIMEOUT");
+}
+
+TEST(Ends, WhenTheTimeLimitIsNoNumber) {
+  expectEnd(run("echo", 1, 1, "CLAYFOAM_TIMEOUT=soon"),
+            "CLAYFOAM_TIMEOUT is 'soon'; it must be a number of seconds above 0");
+}
+
+}  // namespace

@@ -1,0 +1,257 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file test_terms.cpp
+/// Fields, the terms as text, and what makes the halves refuse.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "handshake.h"
+#include "routing.h"
+#include "terms.h"
+#include "test_peers.h"
+
+using clay::CfdTerms;
+using clay::DemTerms;
+using clay::Field;
+using clay::FieldSet;
+using clay::Particles;
+
+namespace {
+
+testing::AssertionResult says(const std::string& line, const std::string& part) {
+  if (line.find(part) != std::string::npos) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "no '" << part << "' in '" << line << "'";
+}
+
+TEST(Fields, HaveNamesAndWidths) {
+  const FieldSet set{Field::position, Field::tag, Field::force};
+  EXPECT_EQ(set.width(), 7);
+  EXPECT_EQ(set.names(), (std::vector<std::string>{"position", "tag", "force"}));
+  EXPECT_EQ(FieldSet::fromNames(set.names()), set);
+  EXPECT_THROW(FieldSet::fromNames({"colour"}), std::invalid_argument);
+  for (unsigned i = 0; i < clay::fieldCount; ++i) {
+    const auto f = static_cast<Field>(i);
+    EXPECT_EQ(FieldSet::fromNames({clay::name(f)}), FieldSet{f});
+  }
+}
+
+TEST(Fields, DifferAsSets) {
+  const FieldSet a{Field::position, Field::radius}, b{Field::radius};
+  EXPECT_EQ(a.without(b), FieldSet{Field::position});
+  EXPECT_TRUE(b.without(a).empty());
+}
+
+TEST(ParticleList, KeepsWhatItHoldsWhenItGrows) {
+  Particles p({Field::position, Field::radius});
+  p.resize(2);
+  p[Field::position][5] = 3;
+  p[Field::radius][1] = 4;
+  p.resize(100);
+  EXPECT_EQ(p.size(), 100);
+  EXPECT_EQ(p[Field::position][5], 3);
+  EXPECT_EQ(p[Field::radius][1], 4);
+  p.clear();
+  EXPECT_EQ(p.size(), 0);
+}
+
+TEST(ParticleList, FindsTheFirstValueThatIsNotFinite) {
+  Particles p({Field::position, Field::radius});
+  p.resize(5);
+  EXPECT_EQ(clay::firstNonFinite(p).particle, -1);
+  p[Field::radius][3] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(clay::firstNonFinite(p).particle, 3);
+  EXPECT_EQ(clay::firstNonFinite(p).field, Field::radius);
+  p[Field::position][3 * 2 + 1] = std::nan("");
+  EXPECT_EQ(clay::firstNonFinite(p).particle, 2);
+  EXPECT_EQ(clay::firstNonFinite(p).field, Field::position);
+}
+
+TEST(BoxTest, IsReachedBySpheresThatTouchIt) {
+  const clay::Box box = peers::meshBox();
+  const double inside[] = {0.5, 0.2, 0.2}, beside[] = {1.1, 0.2, 0.2};
+  EXPECT_TRUE(box.reaches(inside, 0.01));
+  EXPECT_FALSE(box.reaches(beside, 0.09));
+  EXPECT_TRUE(box.reaches(beside, 0.11));
+  EXPECT_FALSE(clay::Box().reaches(inside, 1)) << "a rank without cells";
+}
+
+TEST(Routes, GoToEveryBoxThatIsTouchedOrToTheNearest) {
+  clay::Routing routing({peers::slab(0, 2), clay::Box(), peers::slab(1, 2)});
+  const double x[] = {0.1, 0.2, 0.2, /**/ 0.495, 0.2, 0.2, /**/ 3, 0.2, 0.2};
+  const double r[] = {0.01, 0.01, 0.01};
+  for (int again = 0; again < 2; ++again) {
+    routing.route(x, r, 3);
+    EXPECT_EQ(routing[0].particles, (std::vector<int>{0, 1}));
+    EXPECT_EQ(routing[0].shares, (std::vector<double>{1, 2, 0, 2}));
+    EXPECT_TRUE(routing[1].particles.empty()) << "a rank without cells";
+    EXPECT_EQ(routing[2].particles, (std::vector<int>{1, 2}));
+    EXPECT_EQ(routing[2].shares, (std::vector<double>{0, 2, 0, 2}));
+  }
+  routing.route(x, r, 0);
+  EXPECT_TRUE(routing[0].particles.empty() && routing[2].particles.empty());
+}
+
+TEST(Text, BringsTheDemTermsBackBitByBit) {
+  DemTerms t = peers::demTerms();
+  t.program = "a \"quoted\" name \xff";
+  t.step = 1. / 3e5;
+  t.endTime = 0.1 + 0.2;
+  const DemTerms u = clay::decodeDem(clay::encode(t));
+  EXPECT_EQ(u.step, t.step);
+  EXPECT_EQ(u.interval, t.interval);
+  EXPECT_EQ(u.startTime, t.startTime);
+  EXPECT_EQ(u.endTime, t.endTime);
+  EXPECT_EQ(u.gravity, t.gravity);
+  EXPECT_EQ(u.hasGravity, t.hasGravity);
+  EXPECT_EQ(u.box.lo, t.box.lo);
+  EXPECT_EQ(u.box.hi, t.box.hi);
+  EXPECT_EQ(u.particles, t.particles);
+  EXPECT_EQ(u.maxRadius, t.maxRadius);
+  EXPECT_EQ(u.offers, t.offers);
+  EXPECT_EQ(u.needs, t.needs);
+}
+
+TEST(Text, BringsTheCfdTermsBackWithWhatIsNotStated) {
+  CfdTerms t = peers::cfdTerms();
+  t.gravity = {{0, 0, -9.81}};
+  t.overlap = false;
+  const CfdTerms u = clay::decodeCfd(clay::encode(t));
+  EXPECT_FALSE(u.endTime.has_value());
+  EXPECT_FALSE(u.couplingInterval.has_value());
+  ASSERT_TRUE(u.gravity.has_value());
+  EXPECT_EQ(*u.gravity, *t.gravity);
+  EXPECT_FALSE(u.overlap);
+  EXPECT_EQ(u.fluidDensity, t.fluidDensity);
+  EXPECT_EQ(u.fluidViscosity, t.fluidViscosity);
+  EXPECT_EQ(u.needs, t.needs);
+  t.endTime = 0.7;
+  t.couplingInterval = 2e-4;
+  const CfdTerms v = clay::decodeCfd(clay::encode(t));
+  EXPECT_EQ(v.endTime, t.endTime);
+  EXPECT_EQ(v.couplingInterval, t.couplingInterval);
+}
+
+TEST(Text, OfTheWrongHalfOrOfNoHalfIsRefused) {
+  EXPECT_THROW(clay::decodeDem(clay::encode(peers::cfdTerms())), clay::Refusal);
+  EXPECT_THROW(clay::decodeCfd(clay::encode(peers::demTerms())), clay::Refusal);
+  EXPECT_THROW(clay::decodeDem("hello"), clay::Refusal);
+  EXPECT_THROW(clay::decodeDem("{\"half\":\"DEM\",\"wire\":1}"), clay::Refusal);
+}
+
+TEST(Text, KeepsAValueThatIsNoNumber) {
+  DemTerms t = peers::demTerms();
+  t.step = std::nan("");
+  EXPECT_TRUE(std::isnan(clay::decodeDem(clay::encode(t)).step));
+  EXPECT_TRUE(says(clay::disagreement(t, peers::cfdTerms()), "time step"));
+}
+
+// A pair of terms that fits, one of which each test spoils
+class Agreement : public testing::Test {
+ protected:
+  DemTerms dem = peers::demTerms();
+  CfdTerms cfd = peers::cfdTerms();
+  std::string line() const { return clay::disagreement(dem, cfd); }
+};
+
+TEST_F(Agreement, Fits) {
+  EXPECT_EQ(line(), "");
+  EXPECT_TRUE(clay::warnings(dem, cfd).empty());
+  cfd.endTime = dem.endTime + 0.4 * dem.step;
+  cfd.couplingInterval = 2e-4;
+  cfd.gravity = dem.gravity;
+  EXPECT_EQ(line(), "");
+}
+
+TEST_F(Agreement, OfVersions) {
+  cfd.wire = 2;
+  EXPECT_TRUE(says(line(), "1 in the DEM half (test DEM), 2 in the CFD half (test CFD)"));
+  EXPECT_TRUE(says(clay::disagreement(dem, clay::decodeCfd(clay::encode(cfd))), "versions"));
+}
+
+TEST_F(Agreement, OfStartTimes) {
+  cfd.startTime = 0.6 * dem.step;
+  EXPECT_TRUE(says(line(), "start times differ: 0 s in the DEM half, 6e-06 s in the CFD half"));
+}
+
+TEST_F(Agreement, OfEndTimes) {
+  cfd.endTime = dem.endTime + 0.6 * dem.step;
+  EXPECT_TRUE(says(line(),
+                   "end times differ: 0.001 s in the DEM half, 0.001006 s in the CFD half"));
+}
+
+TEST_F(Agreement, OfIntervals) {
+  cfd.couplingInterval = 1e-4;
+  EXPECT_TRUE(says(line(), "coupling intervals differ: 0.0002 s (20 steps of 1e-05 s) in the "
+                           "DEM half, 0.0001 s in the CFD half"));
+}
+
+TEST_F(Agreement, OfGravities) {
+  cfd.gravity = {{0, -9.81, 0}};
+  EXPECT_TRUE(says(line(), "gravities differ: (0 0 -9.81) m/s2 in the DEM half, (0 -9.81 0)"));
+  dem.hasGravity = false;
+  EXPECT_EQ(line(), "");
+  ASSERT_EQ(clay::warnings(dem, cfd).size(), 1u);
+  EXPECT_TRUE(says(clay::warnings(dem, cfd)[0], "no gravity"));
+}
+
+TEST_F(Agreement, OfPlaces) {
+  for (double& x : cfd.box.lo) x += 5;
+  for (double& x : cfd.box.hi) x += 5;
+  EXPECT_TRUE(says(line(), "the DEM box (0 0 0) to (1 0.5 0.5) m and the mesh (5 5 5) to "
+                           "(6 5.5 5.5) m do not overlap"));
+  EXPECT_EQ(line().find("millimetres"), std::string::npos);
+}
+
+TEST_F(Agreement, OfUnits) {
+  for (double& x : cfd.box.lo) x = 1000 * (x + 5);
+  for (double& x : cfd.box.hi) x = 1000 * (x + 5);
+  EXPECT_TRUE(says(line(), "is the mesh in millimetres?"));
+  for (double& x : cfd.box.lo) x -= 5000;
+  for (double& x : cfd.box.hi) x -= 5000;
+  EXPECT_EQ(line(), "");
+  ASSERT_EQ(clay::warnings(dem, cfd).size(), 1u);
+  EXPECT_TRUE(says(clay::warnings(dem, cfd)[0], "is the mesh in millimetres?"));
+}
+
+TEST_F(Agreement, OfFields) {
+  cfd.needs.add(Field::impulse);
+  EXPECT_EQ(line(), "");
+  dem.offers = dem.offers.without({Field::impulse, Field::mass});
+  cfd.needs.add(Field::mass);
+  EXPECT_TRUE(says(line(), "the CFD half needs impulse, mass, the DEM half offers only position"));
+  cfd = peers::cfdTerms();
+  cfd.offers = {Field::dragCoefficient};
+  EXPECT_TRUE(says(line(),
+                   "the DEM half needs fluidVelocity, the CFD half offers only dragCoefficient"));
+}
+
+TEST_F(Agreement, NeedsSoundNumbers) {
+  dem.interval = 0;
+  EXPECT_TRUE(says(line(), "coupling interval is 0 steps; it must be 1 or more"));
+  dem = peers::demTerms();
+  dem.step = -1;
+  EXPECT_TRUE(says(line(), "time step is -1 s; it must be above 0"));
+  dem = peers::demTerms();
+  dem.particles = 0;
+  EXPECT_TRUE(says(line(), "holds 0 particles"));
+  dem = peers::demTerms();
+  dem.endTime = -1;
+  EXPECT_TRUE(says(line(), "ends at -1 s, before its start at 0 s"));
+  dem = peers::demTerms();
+  cfd.fluidDensity = 0;
+  EXPECT_TRUE(says(line(), "fluid density is 0 kg/m3; it must be above 0"));
+  cfd = peers::cfdTerms();
+  cfd.fluidViscosity = -1;
+  EXPECT_TRUE(says(line(), "fluid viscosity is -1 Pa s"));
+}
+
+TEST_F(Agreement, DecidesWhatIsSent) {
+  const clay::BothTerms both{dem, cfd};
+  EXPECT_EQ(clay::stateFields(both), cfd.needs);
+  EXPECT_EQ(clay::answerFields(both), cfd.offers) << "the force comes along when it is offered";
+  cfd.offers = {Field::dragCoefficient, Field::fluidVelocity};
+  EXPECT_EQ(clay::answerFields({dem, cfd}), cfd.offers);
+}
+
+}  // namespace

@@ -1,0 +1,63 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+include(GoogleTest)
+
+# What mpirun needs where the tests run as root or have few cores; Open MPI reads
+# it from the environment, others ignore it. For the tests of all folders.
+set(CLAYFOAM_MPI_ENVIRONMENT
+  OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  OMPI_MCA_rmaps_base_oversubscribe=1
+  CACHE INTERNAL "environment of tests that call mpirun")
+
+add_executable(test_terms test_terms.cpp)
+target_link_libraries(test_terms PRIVATE clay_exchange GTest::gtest_main)
+gtest_add_tests(TARGET test_terms TEST_PREFIX exchange. TEST_LIST terms_tests)
+set_tests_properties(${terms_tests} PROPERTIES TIMEOUT 20)
+
+# the two programs of the test runs
+foreach(peer test_dem_peer test_cfd_peer)
+  add_executable(${peer} ${peer}.cpp)
+  target_link_libraries(${peer} PRIVATE clay_world clay_exchange)
+endforeach()
+
+# a program that splits the world by itself has no wrappers
+add_executable(test_adopt_peer test_adopt_peer.cpp)
+target_link_libraries(test_adopt_peer PRIVATE clay_exchange)
+
+add_executable(test_runs test_runs.cpp)
+target_link_libraries(test_runs PRIVATE GTest::gtest_main)
+list(JOIN CLAYFOAM_MPI_ENVIRONMENT " " mpi_environment)
+target_compile_definitions(test_runs PRIVATE
+  MPIRUN="env ${mpi_environment} ${MPIEXEC_EXECUTABLE}"
+  ADOPT_PEER="$<TARGET_FILE:test_adopt_peer>"
+  DEM_PEER="$<TARGET_FILE:test_dem_peer>" CFD_PEER="$<TARGET_FILE:test_cfd_peer>")
+add_dependencies(test_runs test_dem_peer test_cfd_peer test_adopt_peer)
+gtest_add_tests(TARGET test_runs TEST_PREFIX exchange. TEST_LIST run_tests)
+set_tests_properties(${run_tests} PROPERTIES
+  TIMEOUT 60 RUN_SERIAL ON)
+
+# The libraries of the host codes that call MPI, from a sourced OpenFOAM first
+set(host_libraries "")
+find_library(CLAYFOAM_HOST_LIGGGHTS liggghts)
+foreach(lib Pstream ptscotchDecomp)
+  find_library(CLAYFOAM_HOST_${lib} ${lib} PATHS $ENV{FOAM_LIBBIN}/$ENV{FOAM_MPI} NO_DEFAULT_PATH)
+  find_library(CLAYFOAM_HOST_${lib} ${lib} PATH_SUFFIXES openmpi-system NO_CMAKE_ENVIRONMENT_PATH)
+endforeach()
+foreach(lib LIGGGHTS Pstream ptscotchDecomp)
+  if(CLAYFOAM_HOST_${lib})
+    list(APPEND host_libraries ${CLAYFOAM_HOST_${lib}})
+  endif()
+endforeach()
+find_file(CLAYFOAM_MPI_HEADER mpi.h HINTS ${MPI_CXX_INCLUDE_DIRS} REQUIRED)
+
+add_executable(test_wrappers test_wrappers.cpp)
+target_link_libraries(test_wrappers PRIVATE clay_world clay_exchange GTest::gtest ${CMAKE_DL_LIBS})
+add_test(NAME exchange.wrappers
+  COMMAND test_wrappers ${CLAYFOAM_MPI_HEADER} ${host_libraries})
+
+# the same test in a program without the wrappers must fail
+add_executable(test_no_wrappers test_wrappers.cpp)
+target_link_libraries(test_no_wrappers PRIVATE MPI::MPI_CXX GTest::gtest ${CMAKE_DL_LIBS})
+add_test(NAME exchange.wrappers_can_fail
+  COMMAND test_no_wrappers ${CLAYFOAM_MPI_HEADER} ${host_libraries})
+set_tests_properties(exchange.wrappers_can_fail PROPERTIES WILL_FAIL ON)
+set_tests_properties(exchange.wrappers exchange.wrappers_can_fail PROPERTIES TIMEOUT 60)

@@ -1,0 +1,135 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+#include "waiting.h"
+
+#include <sched.h>
+#include <sys/prctl.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "farewell.h"
+#include "world.h"
+
+namespace clay {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double spinTime = 200e-6;      // [s] of testing alone: most answers come sooner
+constexpr double shortestSleep = 10e-6;  // [s]
+constexpr double longestSleep = 1e-3;    // [s]
+constexpr double sleepPart = 1. / 16;    // of the time waited already
+
+double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+void sleepFor(double time) {
+  // the kernel rounds sleeps up by 50 us unless told otherwise
+  static const int sharp = prctl(PR_SET_TIMERSLACK, 1000UL, 0UL, 0UL, 0UL);
+  static_cast<void>(sharp);
+  timespec t{0, static_cast<long>(time * 1e9)};
+  nanosleep(&t, nullptr);
+}
+
+bool isSet(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value && *value && std::strcmp(value, "0") != 0;
+}
+
+bool findOversubscribed() {
+  if (isSet("OMPI_MCA_mpi_oversubscribe") || isSet("OMPI_MCA_mpi_yield_when_idle")) return true;
+  const char* local = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  const long ranks = local ? std::atol(local) : World::instance().size();
+  long cores = sysconf(_SC_NPROCESSORS_ONLN);
+  cpu_set_t set;
+  // a rank that mpirun has bound sees its own cores alone
+  if (!isSet("OMPI_MCA_orte_bound_at_launch") && sched_getaffinity(0, sizeof set, &set) == 0)
+    cores = CPU_COUNT(&set);
+  return ranks > cores;
+}
+
+double findSilenceLimit() {
+  const char* text = std::getenv("CLAYFOAM_TIMEOUT");
+  if (!text || !*text) return 600;
+  char* end = nullptr;
+  const double limit = std::strtod(text, &end);
+  if (*end || !(limit > 0) || !std::isfinite(limit))
+    abandon(std::string("CLAYFOAM_TIMEOUT is '") + text +
+            "'; it must be a number of seconds above 0");
+  return limit;
+}
+
+}  // namespace
+
+bool oversubscribed() {
+  static const bool crowded = findOversubscribed();
+  return crowded;
+}
+
+double silenceLimit() {
+  static const double limit = findSilenceLimit();
+  return limit;
+}
+
+void endOnSilence(double waited, const char* forWhat) {
+  // the first rank speaks first
+  if (waited <= silenceLimit() + (World::instance().rank() == 0 ? 0 : 2)) return;
+  char text[64];
+  std::snprintf(text, sizeof text, "waited %.4g s for ", waited);
+  abandon(text + std::string(forWhat) +
+          "; CLAYFOAM_TIMEOUT (seconds) sets how long a half waits");
+}
+
+Patience::Patience(const char* forWhat) : forWhat_(forWhat), start_(Clock::now()) {}
+
+double Patience::waited() const { return seconds(Clock::now() - start_); }
+
+void Patience::pause() {
+  const double time = waited();
+  // On a crowded node the other half may need this core. A short sleep gives it
+  // away and gets it back soon; a yield would come last after all other work.
+  const bool spin = time < (oversubscribed() ? 0 : spinTime);
+  if (!spin || ++pauses_ % 16 == 0) checkFarewell();
+  if (spin) return;
+  endOnSilence(time, forWhat_);
+  sleepFor(std::clamp(time * sleepPart, shortestSleep, longestSleep));
+}
+
+bool allDone(std::vector<MPI_Request>& requests) {
+  int done = 0;
+  PMPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE);
+  return done;
+}
+
+void sendText(const std::string& text, int rank, int tag, const char* forWhat) {
+  std::vector<MPI_Request> request(1);
+  PMPI_Isend(text.data(), static_cast<int>(text.size()), MPI_CHAR, rank, tag,
+             World::instance().whole(), &request[0]);
+  waitUntil([&] { return allDone(request); }, forWhat);
+}
+
+std::string receiveText(int rank, int tag, const char* forWhat) {
+  MPI_Comm whole = World::instance().whole();
+  MPI_Status status;
+  waitUntil(
+      [&] {
+        int there = 0;
+        PMPI_Iprobe(rank, tag, whole, &there, &status);
+        return there != 0;
+      },
+      forWhat);
+  int length = 0;
+  PMPI_Get_count(&status, MPI_CHAR, &length);
+  std::string text(static_cast<std::size_t>(length), ' ');
+  std::vector<MPI_Request> request(1);
+  PMPI_Irecv(&text[0], length, MPI_CHAR, rank, tag, whole, &request[0]);
+  waitUntil([&] { return allDone(request); }, forWhat);
+  return text;
+}
+
+}  // namespace clay

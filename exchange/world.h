@@ -1,0 +1,79 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file world.h
+/// Which half of the mpirun this process belongs to, and who the others are.
+#pragma once
+
+#include <mpi.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace clay {
+
+/// The two programs of one coupled mpirun.
+enum class Half { dem, cfd };
+
+/// This program's half of MPI_COMM_WORLD.
+///
+/// The world is split by MPI_APPNUM right after MPI_Init, by the wrappers of
+/// world_wrappers.cpp, so that neither host code ever sees the other's ranks.
+/// A host code that splits the world by itself needs no wrappers: it calls
+/// adopt() with the communicator it made.
+class World {
+ public:
+  /// The world of this process; MPI must be initialised.
+  static World& instance();
+
+  /// Starts MPI where the host code does not (a serial OpenFOAM).
+  static void init(int& argc, char**& argv);
+
+  /// Splits MPI_COMM_WORLD by MPI_APPNUM; called once, by whoever starts MPI.
+  void split();
+
+  /// Takes a half that the host code has made by itself.
+  /// The ranks of each half must keep the order they have in MPI_COMM_WORLD.
+  void adopt(MPI_Comm half);
+
+  /// The communicator of this half; MPI_COMM_WORLD of the host code means it.
+  MPI_Comm half() const { return half_; }
+
+  /// The communicator of both halves, the true MPI_COMM_WORLD.
+  MPI_Comm whole() const { return whole_; }
+
+  /// Rank and size within this half.
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+
+  /// How many programs the mpirun has; a coupled run has two.
+  int programs() const { return programs_; }
+
+  /// Ranks of the other half in whole(), ordered by their rank in that half.
+  const std::vector<int>& peers() const { return peers_; }
+
+  /// Ranks of this half in whole(), ordered by their rank in this half.
+  const std::vector<int>& mates() const { return mates_; }
+
+  /// True once split() or adopt() was called.
+  bool ready() const { return ready_; }
+
+ private:
+  World() = default;
+  void index();
+
+  MPI_Comm half_ = MPI_COMM_NULL;
+  MPI_Comm whole_ = MPI_COMM_NULL;
+  int rank_ = 0, size_ = 1, programs_ = 1;
+  std::vector<int> peers_, mates_;
+  bool ready_ = false;
+};
+
+/// Ends both halves now with a non-zero exit and one line that says why. The
+/// other half is told first, and has a few seconds to save its state.
+[[noreturn]] void abandon(const std::string& reason);
+
+/// What the host does on every rank when the other half has ended too early,
+/// before this half ends as well: saving its state, for one. It has 5 s.
+void onFarewell(std::function<void(const std::string& reason)> save);
+
+}  // namespace clay

@@ -1,0 +1,187 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fluidSolver.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fluidSolver::courantRate() const
+{
+    const scalarField sumPhi(fvc::surfaceSum(mag(phi_))().primitiveField());
+    return mesh_.nCells() || Pstream::parRun()
+        ? 0.5*gMax(scalarField(sumPhi/mesh_.V()))
+        : 0;
+}
+
+
+Foam::label Foam::fluidSolver::subSteps(const scalar interval) const
+{
+    const dictionary& dict = runTime_.controlDict();
+    scalar dt = dict.get<scalar>("deltaT");
+
+    if (dict.lookupOrDefault<Switch>("adjustTimeStep", true))
+    {
+        const scalar maxCo = dict.lookupOrDefault<scalar>("maxCo", 0.5);
+        dt = min
+        (
+            dict.lookupOrDefault<scalar>("maxDeltaT", GREAT),
+            maxCo/max(courantRate(), VSMALL)
+        );
+    }
+
+    const scalar steps = interval/dt;
+    if (!(steps < 1e6))
+    {
+        FatalErrorInFunction
+            << "the coupling interval of " << interval << " s would need "
+            << steps << " steps of the fluid at time " << runTime_.value()
+            << " s; see deltaT, maxCo and maxDeltaT in system/controlDict"
+            << exit(FatalError);
+    }
+    return max(1, label(ceil(steps - 1e-6)));
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
+:
+    runTime_(runTime),
+    mesh_(mesh),
+    pimple_(mesh),
+    p_
+    (
+        IOobject
+        (
+            "p",
+            runTime.timeName(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh
+    ),
+    U_
+    (
+        IOobject
+        (
+            "U",
+            runTime.timeName(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh
+    ),
+    phi_
+    (
+        IOobject
+        (
+            "phi",
+            runTime.timeName(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        fvc::flux(U_)
+    ),
+    transport_(U_, phi_),
+    turbulence_
+    (
+        incompressible::turbulenceModel::New(U_, phi_, transport_)
+    ),
+    nPhi_("nPhi", phi_),
+    pRefCell_(0),
+    pRefValue_(0),
+    fresh_(true)
+{
+    const word ddtScheme(mesh_.ddtScheme("ddt(U)"));
+    if (ddtScheme != "Euler")
+    {
+        FatalIOErrorInFunction(mesh_.schemesDict())
+            << "ddtSchemes: ddt(U) " << ddtScheme << " is not supported; use"
+            << " Euler" << exit(FatalIOError);
+    }
+
+    setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
+    mesh_.setFluxRequired(p_.name());
+    turbulence_->validate();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fluidSolver::march(particleCoupling& coupling)
+{
+    stopwatch watch(coupling.statistics().solving);
+
+    const scalar interval = coupling.interval();
+    const label n = subSteps(interval);
+    bool writeDue = false;
+
+    if (fresh_)
+    {
+        // first interval: n is that of the start
+        nPhi_ = phi_*fvc::interpolate
+        (
+            coupling.n(),
+            "interpolate(voidfraction)"
+        );
+        fresh_ = false;
+    }
+
+    for (label i = 0; i < n; ++i)
+    {
+        runTime_.setEndTime(GREAT);
+        runTime_.setDeltaT(interval/n, false);
+        runTime_.run();
+        ++runTime_;
+        if (i == n - 1)
+        {
+            // the sum of the steps, without their rounding
+            runTime_.setTime(coupling.endOfInterval(), runTime_.timeIndex());
+        }
+
+        coupling.advance();
+        {
+            // the iterations of PIMPLE are said only when asked for
+            const label level = messageStream::level;
+            messageStream::level = coupling.properties().verbose() ? level : 0;
+            step(coupling);
+            messageStream::level = level;
+        }
+        coupling.record();
+
+        coupling.statistics().courantMax = max
+        (
+            coupling.statistics().courantMax,
+            courantRate()*interval/n
+        );
+        writeDue = runTime_.writeTime() || writeDue;
+    }
+
+    return writeDue;
+}
+
+
+Foam::dictionary Foam::fluidSolver::settings() const
+{
+    dictionary dict;
+    const dictionary& control = runTime_.controlDict();
+
+    for
+    (
+        const word& key
+      : {"deltaT", "adjustTimeStep", "maxCo", "maxDeltaT", "writeInterval"}
+    )
+    {
+        const entry* e = control.findEntry(key);
+        if (e)
+        {
+            dict.add(*e);
+        }
+    }
+    dict.add("turbulence", turbulence_->type());
+    dict.add("nCorrectors", pimple_.nCorrPISO());
+
+    return dict;
+}

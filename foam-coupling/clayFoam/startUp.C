@@ -1,0 +1,177 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "startUp.H"
+
+#include "IOstreams.H"
+#include "SolverPerformance.H"
+#include "foamVersion.H"
+#include "vector.H"
+
+#include "terms.h"
+#include "world.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cctype>
+#include <cstdlib>
+#include <iostream>
+#include <thread>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Text as one line
+static std::string oneLine(std::string text)
+{
+    std::string line;
+    for (const char c : text)
+    {
+        const bool space = std::isspace(static_cast<unsigned char>(c));
+        if (!space)
+        {
+            line += c;
+        }
+        else if (!line.empty() && line.back() != ' ')
+        {
+            line += ' ';
+        }
+    }
+    while (!line.empty() && line.back() == ' ')
+    {
+        line.pop_back();
+    }
+    return line;
+}
+
+
+//- Ends both halves. The first rank speaks for an error that all ranks have
+[[noreturn]] static void endBoth(const std::string& reason)
+{
+    if (clay::World::instance().rank() > 0)
+    {
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+    }
+    clay::abandon(oneLine(reason));
+}
+
+} // End namespace Foam
+
+
+void Foam::setSolverOutput(const bool on)
+{
+    SolverPerformance<scalar>::debug = on;
+    SolverPerformance<vector>::debug = on;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::startUp::readArguments()
+{
+    if (foamVersion::api != OPENFOAM)
+    {
+        throw clay::Refusal
+        (
+            "built for OpenFOAM v" + std::to_string(OPENFOAM)
+          + ", but the library that runs is v"
+          + std::to_string(foamVersion::api)
+        );
+    }
+
+    FatalError.throwExceptions();
+    FatalIOError.throwExceptions();
+
+    argList::addNote
+    (
+        "The CFD half of a coupled run; see mpirun -np 1 liggghts-clay ... :"
+        " -np 1 clayFoam -case CFD"
+    );
+    argList::noCheckProcessorDirectories();
+    args_ = new argList(argc_, argvPtr_);
+
+    if (!args_->checkRootCase())
+    {
+        throw clay::Refusal("no case at " + std::string(args_->path()));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::startUp::startUp(int argc, char** argv)
+:
+    argc_(0),
+    argvPtr_(nullptr),
+    args_(nullptr)
+{
+    // a number that is none is found and named (particleCoupling), not trapped
+    ::setenv("FOAM_SIGFPE", "false", 0);
+
+    clay::World::init(argc, argv);
+
+    words_.assign(argv, argv + argc);
+    const auto parallel = std::find(words_.begin(), words_.end(), "-parallel");
+    if (clay::World::instance().size() > 1)
+    {
+        if (parallel == words_.end())
+        {
+            words_.push_back("-parallel");
+        }
+    }
+    else if (parallel != words_.end())
+    {
+        words_.erase(parallel);
+    }
+
+    for (std::string& word : words_)
+    {
+        argv_.push_back(&word[0]);
+    }
+    argc_ = int(argv_.size());
+    argv_.push_back(nullptr);
+    argvPtr_ = argv_.data();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+int Foam::startUp::guard(const std::function<void()>& run)
+{
+    int status = 0;
+    try
+    {
+        readArguments();
+        run();
+    }
+    catch (const clay::Refusal& refusal)
+    {
+        if (clay::World::instance().rank() == 0)
+        {
+            std::cerr
+                << "clayFoam: refused: " << oneLine(refusal.what())
+                << std::endl;
+        }
+        status = 1;
+    }
+    catch (const Foam::IOerror& error)
+    {
+        endBoth
+        (
+            "refused: " + error.message() + " ["
+          + fileName(error.ioFileName()).name() + "]"
+        );
+    }
+    catch (const Foam::error& error)
+    {
+        endBoth(error.message());
+    }
+    catch (const std::exception& error)
+    {
+        endBoth(error.what());
+    }
+
+    MPI_Finalize();
+    return status;
+}

@@ -1,0 +1,283 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "couplingProperties.H"
+
+#include "OStringStream.H"
+#include "dragModel.H"
+#include "forceModel.H"
+#include "smoothingModel.H"
+#include "voidFractionModel.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Levenshtein distance of two words
+static label edits(const std::string& a, const std::string& b)
+{
+    labelList row(b.size() + 1);
+    forAll(row, j)
+    {
+        row[j] = j;
+    }
+    for (size_t i = 1; i <= a.size(); ++i)
+    {
+        label diagonal = row[0];
+        row[0] = i;
+        for (size_t j = 1; j <= b.size(); ++j)
+        {
+            const label above = row[j];
+            row[j] = min
+            (
+                min(row[j], row[j - 1]) + 1,
+                diagonal + (std::tolower(a[i - 1]) != std::tolower(b[j - 1]))
+            );
+            diagonal = above;
+        }
+    }
+    return row.last();
+}
+
+static std::string text(const Switch& value)
+{
+    return value ? "yes" : "no";
+}
+
+static std::string text(const word& value)
+{
+    return value;
+}
+
+static std::string text(const wordList& value)
+{
+    return listed(value);
+}
+
+static std::string text(const scalar value)
+{
+    OStringStream os;
+    os << value;
+    return os.str();
+}
+
+//- Refuses a word that is not one of the known ones
+static void checkWord
+(
+    const dictionary& dict,
+    const word& key,
+    const word& value,
+    const wordList& known
+)
+{
+    if (!known.found(value))
+    {
+        FatalIOErrorInFunction(dict)
+            << key << " " << value << " is not known; known are "
+            << listed(known).c_str() << exit(FatalIOError);
+    }
+}
+
+} // End namespace Foam
+
+
+std::string Foam::listed(const wordList& words)
+{
+    std::string text;
+    for (const word& w : words)
+    {
+        text += (text.empty() ? "" : " ") + w;
+    }
+    return "(" + text + ")";
+}
+
+
+Foam::word Foam::nearestWord(const word& given, const wordList& known)
+{
+    word nearest;
+    label least = labelMax;
+    for (const word& candidate : known)
+    {
+        const label distance = edits(given, candidate);
+        if (distance < least)
+        {
+            least = distance;
+            nearest = candidate;
+        }
+    }
+    return nearest;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+Type Foam::couplingProperties::take(const word& key, const Type& byDefault)
+{
+    if (found(key))
+    {
+        return get<Type>(key);
+    }
+
+    add(key, byDefault);
+
+    defaults_ += (defaults_.empty() ? "" : ", ") + key + ' ' + text(byDefault);
+
+    return byDefault;
+}
+
+
+void Foam::couplingProperties::checkEntries() const
+{
+    wordList known
+    ({
+        "overlap", "model", "voidFractionModel", "dragModel", "forceModels",
+        "smoothingModel", "ddtVoidFraction", "interpolation",
+        "voidFractionMin", "allowNoBuoyancy", "verbose", "couplingInterval"
+    });
+
+    const auto addCoeffs = [&known](const wordList& models)
+    {
+        for (const word& model : models)
+        {
+            known.append(model + "Coeffs");
+        }
+    };
+    addCoeffs(dragModel::dictionaryConstructorTablePtr_->sortedToc());
+    addCoeffs(voidFractionModel::dictionaryConstructorTablePtr_->sortedToc());
+    addCoeffs(smoothingModel::dictionaryConstructorTablePtr_->sortedToc());
+
+    for (const entry& e : *this)
+    {
+        const word key(e.keyword());
+        if (!known.found(key) && key != "FoamFile")
+        {
+            FatalIOErrorInFunction(*this)
+                << "unknown entry " << key << "; the nearest known one is "
+                << nearestWord(key, known) << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::couplingProperties::checkForces() const
+{
+    wordList seen;
+    for (const word& force : forces_)
+    {
+        checkWord
+        (
+            *this,
+            "forceModels: force",
+            force,
+            forceModel::dictionaryConstructorTablePtr_->sortedToc()
+        );
+        if (seen.found(force))
+        {
+            FatalIOErrorInFunction(*this)
+                << "forceModels lists " << force << " twice; a force counts"
+                << " once" << exit(FatalIOError);
+        }
+        seen.append(force);
+    }
+
+    if (!modelA_ && has("pressureGradient"))
+    {
+        FatalIOErrorInFunction(*this)
+            << "forceModels lists pressureGradient, but model is B, whose"
+            << " drag carries it; leave it out or set model A"
+            << exit(FatalIOError);
+    }
+    if (!modelA_ && has("viscous"))
+    {
+        FatalIOErrorInFunction(*this)
+            << "forceModels lists viscous, but model is B, whose drag carries"
+            << " it; leave it out or set model A" << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::couplingProperties::couplingProperties(const Time& runTime)
+:
+    IOdictionary
+    (
+        IOobject
+        (
+            "couplingProperties",
+            runTime.constant(),
+            runTime,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    )
+{
+    checkEntries();
+
+    overlap_ = take<Switch>("overlap", Switch(true));
+
+    const word model(take<word>("model", "A"));
+    checkWord(*this, "model", model, {"A", "B"});
+    modelA_ = (model == "A");
+
+    take<word>("voidFractionModel", "exactOverlap");
+    take<word>("dragModel", "ergunWenYu");
+    take<word>("smoothingModel", "none");
+
+    forces_ = take<wordList>
+    (
+        "forceModels",
+        modelA_ ? wordList({"pressureGradient", "buoyancy"})
+                : wordList({"buoyancy"})
+    );
+    checkForces();
+
+    ddt_ = take<word>("ddtVoidFraction", "auto");
+    checkWord
+    (
+        *this,
+        "ddtVoidFraction",
+        ddt_,
+        {"auto", "difference", "particleFlux", "none"}
+    );
+
+    interpolation_ = take<word>("interpolation", "cell");
+    checkWord(*this, "interpolation", interpolation_, {"cell", "cellPoint"});
+
+    const scalar least = take<scalar>("voidFractionMin", 0.2);
+    if (!(least > 0 && least < 1))
+    {
+        FatalIOErrorInFunction(*this)
+            << "voidFractionMin " << least << " must lie between 0 and 1"
+            << exit(FatalIOError);
+    }
+
+    allowNoBuoyancy_ = take<Switch>("allowNoBuoyancy", Switch(false));
+    verbose_ = take<Switch>("verbose", Switch(false));
+
+    interval_ = lookupOrDefault<scalar>("couplingInterval", 0);
+    if (found("couplingInterval") && !(interval_ > 0))
+    {
+        FatalIOErrorInFunction(*this)
+            << "couplingInterval " << interval_ << " must be positive [s];"
+            << " leave it out to follow the DEM half" << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::couplingProperties::ddtType
+Foam::couplingProperties::ddt(const bool smooth) const
+{
+    if (ddt_ == "none")
+    {
+        return ddtType::none;
+    }
+    if (ddt_ == "particleFlux" || (ddt_ == "auto" && !smooth))
+    {
+        return ddtType::particleFlux;
+    }
+    return ddtType::difference;
+}

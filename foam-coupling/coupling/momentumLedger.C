@@ -1,0 +1,258 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "momentumLedger.H"
+
+#include "extrapolatedCalculatedFvPatchFields.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+void Foam::momentumLedger::spread
+(
+    const dispersedParticles& p,
+    const Field<Type>& values,
+    Field<Type>& cells
+) const
+{
+    const scalarField& V = mesh_.V();
+
+    cells = Zero;
+    forAll(values, i)
+    {
+        for (label e = p.offset[i]; e < p.offset[i + 1]; ++e)
+        {
+            const label celli = p.cellIndex[e];
+            cells[celli] += (p.weight[e]/V[celli])*values[i];
+        }
+    }
+}
+
+
+void Foam::momentumLedger::smooth
+(
+    const smoothingModel& smoothing,
+    vectorField& cells
+) const
+{
+    if (!smoothing.active())
+    {
+        return;
+    }
+
+    const vector before(gSum(cells*mesh_.V()));
+    scalarField component(cells.size());
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        component = cells.component(d);
+        smoothing.smooth(component);
+        cells.replace(d, component);
+    }
+    const vector after(gSum(cells*mesh_.V()));
+    cells += (before - after)/gSum(mesh_.V());
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::momentumLedger::momentumLedger(const fvMesh& mesh, const scalar rho)
+:
+    mesh_(mesh),
+    rho_(rho),
+    K_(mesh.nCells(), Zero),
+    mass_(mesh.nCells(), Zero),
+    reaction_(mesh.nCells(), Zero),
+    velocity_(mesh.nCells(), Zero),
+    owed_
+    (
+        IOobject
+        (
+            "couplingImpulse",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        mesh,
+        dimensionedVector(dimForce*dimTime/dimVolume, Zero),
+        zeroGradientFvPatchVectorField::typeName
+    ),
+    given_(mesh.nCells(), Zero),
+    interval_(0),
+    Sp_
+    (
+        IOobject("dragCoefficient", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless/dimTime, Zero),
+        extrapolatedCalculatedFvPatchScalarField::typeName
+    ),
+    F_
+    (
+        IOobject("particleSource", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimAcceleration, Zero),
+        zeroGradientFvPatchVectorField::typeName
+    ),
+    givenTotal_(Zero),
+    buoyancyTotal_(Zero),
+    impulseScale_(0),
+    owedAtStart_(owed())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::momentumLedger::settle
+(
+    const dispersedParticles& p,
+    const vectorField& buoyancy,
+    const smoothingModel& smoothing
+)
+{
+    vectorField received(mesh_.nCells());
+    spread(p, vectorField(p.impulse - buoyancy), received);
+    smooth(smoothing, received);
+
+    owed_.primitiveFieldRef() -= received + given_;
+    owed_.correctBoundaryConditions();
+
+    vector given(gSum(given_*mesh_.V()));
+    given_ = Zero;
+
+    vector share(Zero);
+    scalar scale = 0;
+    forAll(p.owned, i)
+    {
+        if (p.owned[i])
+        {
+            share += buoyancy[i];
+            scale += mag(p.impulse[i]);
+        }
+    }
+    reduce(share, sumOp<vector>());
+    reduce(scale, sumOp<scalar>());
+
+    givenTotal_ += given;
+    buoyancyTotal_ += share;
+    impulseScale_ += scale;
+}
+
+
+void Foam::momentumLedger::setSources
+(
+    const dispersedParticles& p,
+    const scalarField& K,
+    const vectorField& force,
+    const smoothingModel& smoothing
+)
+{
+    spread(p, K, K_);
+    spread(p, p.mass, mass_);
+    spread(p, force, reaction_);
+    spread(p, vectorField(K*p.velocity), velocity_);
+
+    if (smoothing.active())
+    {
+        smoothing.smooth(K_);
+        smoothing.smooth(mass_);
+        smooth(smoothing, reaction_);
+        smooth(smoothing, velocity_);
+    }
+
+    forAll(velocity_, celli)
+    {
+        if (K_[celli] > VSMALL)
+        {
+            velocity_[celli] /= K_[celli];
+        }
+        else
+        {
+            K_[celli] = 0;
+            velocity_[celli] = Zero;
+        }
+    }
+    reaction_ *= -1;
+}
+
+
+Foam::scalar Foam::momentumLedger::stiffness
+(
+    const volScalarField& n,
+    const scalar T
+) const
+{
+    scalar largest = 0;
+    forAll(K_, celli)
+    {
+        largest = max(largest, K_[celli]*T/(rho_*n[celli]));
+    }
+    return returnReduce(largest, maxOp<scalar>());
+}
+
+
+void Foam::momentumLedger::begin(const scalar interval)
+{
+    interval_ = interval;
+}
+
+
+void Foam::momentumLedger::prepare(const scalar dt)
+{
+    scalarField& Sp = Sp_.primitiveFieldRef();
+    vectorField& F = F_.primitiveFieldRef();
+    const vectorField& owed = owed_.primitiveField();
+
+    forAll(Sp, celli)
+    {
+        // K dt for K dt << m, m for K dt >> m
+        const scalar m = mass_[celli];
+        Sp[celli] =
+            m > VSMALL
+          ? -m*std::expm1(-K_[celli]*dt/m)/(rho_*dt)
+          : 0;
+
+        F[celli] =
+            Sp[celli]*velocity_[celli]
+          + (reaction_[celli] + owed[celli]/interval_)/rho_;
+    }
+
+    Sp_.correctBoundaryConditions();
+    F_.correctBoundaryConditions();
+}
+
+
+void Foam::momentumLedger::record(const volVectorField& U, const scalar dt)
+{
+    const scalarField& Sp = Sp_.primitiveField();
+    const vectorField& F = F_.primitiveField();
+
+    forAll(given_, celli)
+    {
+        const vector& Uc = U[celli];
+        given_[celli] += (F[celli] - Sp[celli]*Uc)*(rho_*dt);
+
+        if (mass_[celli] > VSMALL)
+        {
+            velocity_[celli] =
+                Uc
+              + (velocity_[celli] - Uc)*exp(-K_[celli]*dt/mass_[celli]);
+        }
+    }
+}
+
+
+Foam::vector Foam::momentumLedger::owed() const
+{
+    return gSum(owed_.primitiveField()*mesh_.V());
+}
+
+
+Foam::scalar Foam::momentumLedger::residual(const vector& received) const
+{
+    const vector missing
+    (
+        received - buoyancyTotal_ + givenTotal_ + owed() - owedAtStart_
+    );
+
+    return impulseScale_ > VSMALL ? mag(missing)/impulseScale_ : 0;
+}

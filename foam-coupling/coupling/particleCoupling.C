@@ -1,0 +1,343 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "particleCoupling.H"
+
+#include "OStringStream.H"
+#include "fvc.H"
+#include "turbulenceModel.H"
+#include "uniformDimensionedFields.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- A positive property of the fluid
+static scalar property
+(
+    const dictionary& dict,
+    const word& name,
+    const dimensionSet& dims
+)
+{
+    const scalar value = dimensionedScalar(name, dims, dict).value();
+    if (!(value > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << name << ' ' << value << " must be above 0"
+            << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+static clay::Box box(const boundBox& bounds)
+{
+    clay::Box b;
+    for (direction d = 0; d < vector::nComponents; ++d)
+    {
+        b.lo[d] = bounds.min()[d];
+        b.hi[d] = bounds.max()[d];
+    }
+    return b;
+}
+
+
+static bool saved(const fvMesh& mesh, const word& field)
+{
+    return IOobject
+    (
+        field,
+        mesh.time().timeName(),
+        mesh,
+        IOobject::READ_IF_PRESENT
+    ).typeHeaderOk<volVectorField>(true);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+clay::CfdTerms Foam::particleCoupling::terms() const
+{
+    using clay::Field;
+
+    const Time& runTime = mesh_.time();
+    clay::CfdTerms t;
+
+    t.program = "clayFoam on OpenFOAM v" + std::to_string(OPENFOAM);
+    t.startTime = runTime.value();
+
+    if
+    (
+        runTime.controlDict().found("endTime")
+     && runTime.controlDict().lookupOrDefault<word>("stopAt", "endTime")
+     == "endTime"
+    )
+    {
+        t.endTime = runTime.controlDict().get<scalar>("endTime");
+    }
+    if (properties_.interval() > 0)
+    {
+        t.couplingInterval = properties_.interval();
+    }
+
+    IOobject gHeader
+    (
+        "g",
+        runTime.constant(),
+        runTime,
+        IOobject::READ_IF_PRESENT,
+        IOobject::NO_WRITE,
+        false
+    );
+    if (gHeader.typeHeaderOk<uniformDimensionedVectorField>(true))
+    {
+        const uniformDimensionedVectorField g(gHeader);
+        t.gravity = {{g.value().x(), g.value().y(), g.value().z()}};
+    }
+
+    t.fluidDensity = rho_;
+    t.fluidViscosity = rho_*nu_;
+    t.box = box(boundBox(mesh_.points(), true));
+    t.overlap = properties_.overlap();
+    t.needs =
+    {
+        Field::position, Field::radius, Field::volume, Field::velocity,
+        Field::tag, Field::impulse, Field::mass
+    };
+    t.offers =
+    {
+        Field::dragCoefficient, Field::fluidVelocity, Field::force
+    };
+    return t;
+}
+
+
+void Foam::particleCoupling::checkBuoyancy()
+{
+    const auto& g = session_->peer().gravity;
+    gravity_ = vector(g[0], g[1], g[2]);
+
+    if (mag(gravity_) > 0 && !properties_.has("buoyancy"))
+    {
+        OStringStream os;
+        os  << "forceModels " << listed(properties_.forces()).c_str()
+            << " lacks buoyancy, but the DEM half has gravity " << gravity_
+            << " m/s2";
+        if (!properties_.allowNoBuoyancy())
+        {
+            FatalIOErrorInFunction(properties_)
+                << os.str().c_str() << "; list it, or set allowNoBuoyancy yes"
+                << exit(FatalIOError);
+        }
+        stats_.warn(os.str());
+    }
+    if (properties_.modelA() && !properties_.has("pressureGradient"))
+    {
+        stats_.warn
+        (
+            "forceModels lacks pressureGradient, which belongs to model A"
+        );
+    }
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::particleCoupling::nuEff() const
+{
+    if (mesh_.foundObject<turbulenceModel>(turbulenceModel::propertiesName))
+    {
+        return mesh_.lookupObject<turbulenceModel>
+        (
+            turbulenceModel::propertiesName
+        ).nuEff();
+    }
+
+    return tmp<volScalarField>::New
+    (
+        IOobject("nuEff", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("nu", dimViscosity, nu_)
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::particleCoupling::particleCoupling
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const dictionary& transportProperties
+)
+:
+    U_(U),
+    p_(p),
+    mesh_(U.mesh()),
+    nu_(property(transportProperties, "nu", dimViscosity)),
+    rho_(property(transportProperties, "rho", dimDensity)),
+    properties_(mesh_.time()),
+    mapping_(voidFractionModel::New(properties_, mesh_)),
+    smoothing_(smoothingModel::New(properties_, mesh_)),
+    ddtType_(properties_.ddt(mapping_->smooth() || smoothing_->active())),
+    forces_(properties_),
+    ledger_(mesh_, rho_),
+    history_(mesh_),
+    gradP_
+    (
+        IOobject
+        (
+            "gradp",
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        mesh_,
+        dimensionedVector(dimAcceleration, Zero),
+        zeroGradientFvPatchVectorField::typeName
+    ),
+    gradPSet_(saved(mesh_, "gradp")),
+    stressFraction_
+    (
+        IOobject("stressFraction", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("one", dimless, 1),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    gravity_(Zero),
+    solidVolume_(0),
+    time_(mesh_.time().value()),
+    interval_(0),
+    marched_(0),
+    pending_(false)
+{
+    const word transport
+    (
+        transportProperties.lookupOrDefault<word>
+        (
+            "transportModel",
+            "Newtonian"
+        )
+    );
+    if (transport != "Newtonian")
+    {
+        FatalIOErrorInFunction(transportProperties)
+            << "transportModel " << transport << " is not supported: drag laws"
+            << " need a constant viscosity; use Newtonian"
+            << exit(FatalIOError);
+    }
+
+    if (properties_.defaults().size())
+    {
+        Info<< "clayFoam: couplingProperties: defaults taken: "
+            << properties_.defaults().c_str() << endl;
+    }
+
+    session_.reset
+    (
+        new clay::CfdSession
+        (
+            terms(),
+            box(boundBox(mesh_.points(), false))
+        )
+    );
+    received_ = clay::Particles(session_->receives());
+    answers_ = clay::Particles(session_->sends());
+
+    checkBuoyancy();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::particleCoupling::advance()
+{
+    const scalar dt = mesh_.time().deltaTValue();
+
+    marched_ += dt;
+    history_.advance(marched_/interval_ > 1 - 1e-9 ? 1 : marched_/interval_);
+    ledger_.prepare(dt);
+
+    // model B, and particles that carry their share: the whole stress
+    if (properties_.modelA() && !properties_.has("viscous"))
+    {
+        stressFraction_ == history_.n();
+    }
+}
+
+
+void Foam::particleCoupling::record()
+{
+    ledger_.record(U_, mesh_.time().deltaTValue());
+    ++stats_.steps;
+}
+
+
+void Foam::particleCoupling::setPressureGradient(const volVectorField& gradP)
+{
+    gradP_.primitiveFieldRef() = gradP.primitiveField();
+    gradP_.correctBoundaryConditions();
+    gradPSet_ = true;
+}
+
+
+void Foam::particleCoupling::checkFields() const
+{
+    List<string> found(Pstream::nProcs());
+
+    forAll(U_, celli)
+    {
+        const vector& u = U_[celli];
+        if (!std::isfinite(u.x() + u.y() + u.z() + p_[celli]))
+        {
+            OStringStream os;
+            os  << "the fluid is no number at time " << mesh_.time().value()
+                << " s, cell " << celli << " at " << mesh_.C()[celli]
+                << " m: U " << u << ", p " << p_[celli]
+                << "; a smaller maxCo or deltaT may help";
+            found[Pstream::myProcNo()] = os.str();
+            break;
+        }
+    }
+
+    // all ranks stop for the same reason
+    if (returnReduce(!found[Pstream::myProcNo()].empty(), orOp<bool>()))
+    {
+        Pstream::gatherList(found);
+        Pstream::scatterList(found);
+        for (const string& text : found)
+        {
+            if (!text.empty())
+            {
+                FatalErrorInFunction << text.c_str() << exit(FatalError);
+            }
+        }
+    }
+}
+
+
+void Foam::particleCoupling::writeStatistics(const dictionary& solverSettings)
+{
+    dictionary settings(properties_);
+    settings.merge(solverSettings);
+    settings.add("nu", nu_);
+    settings.add("rho", rho_);
+    settings.add("meshCells", returnReduce(mesh_.nCells(), sumOp<label>()));
+    settings.add("ranks", Pstream::nProcs());
+
+    const clay::DemTerms& dem = session_->peer();
+    settings.add("couplingInterval", dem.step*dem.interval, true);
+    settings.add("gravity", gravity_);
+
+    stats_.reynoldsMax = forces_.reynoldsMax();
+    stats_.exchange = session_->timing().exchange;
+    stats_.waiting = session_->timing().waiting;
+    stats_.write
+    (
+        mesh_.time().rootPath()/mesh_.time().globalCaseName()/"cfd.json",
+        settings
+    );
+}

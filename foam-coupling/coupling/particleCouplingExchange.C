@@ -1,0 +1,308 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "particleCoupling.H"
+
+#include "fvc.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::particleCoupling::take()
+{
+    using clay::Field;
+
+    dispersedParticles& p = particles_;
+    p.setSize(received_.size());
+
+    const auto vectors = [&](Field f, vectorField& to)
+    {
+        const double* x = received_[f];
+        forAll(to, i)
+        {
+            to[i] = vector(x[3*i], x[3*i + 1], x[3*i + 2]);
+        }
+    };
+    vectors(Field::position, p.position);
+    vectors(Field::velocity, p.velocity);
+    vectors(Field::impulse, p.impulse);
+
+    forAll(p.tag, i)
+    {
+        p.radius[i] = received_[Field::radius][i];
+        p.volume[i] = received_[Field::volume][i];
+        p.mass[i] = received_[Field::mass][i];
+        p.tag[i] = label(received_[Field::tag][i]);
+        p.body[i] = -1;
+
+        const vector sum(p.position[i] + p.velocity[i] + p.impulse[i]);
+        if
+        (
+            !std::isfinite(sum.x() + sum.y() + sum.z())
+         || !(p.radius[i] > 0 && p.volume[i] > 0 && p.mass[i] > 0)
+         || !std::isfinite(p.radius[i] + p.volume[i] + p.mass[i])
+        )
+        {
+            FatalErrorInFunction
+                << "particle " << p.tag[i] << " came with no numbers at time "
+                << session_->time() << " s: position " << p.position[i]
+                << ", velocity " << p.velocity[i] << ", impulse "
+                << p.impulse[i] << ", radius " << p.radius[i] << ", volume "
+                << p.volume[i] << ", mass " << p.mass[i] << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::particleCoupling::map()
+{
+    dispersedParticles& p = particles_;
+    p.locate(mesh_);
+
+    voidFractionModel::sharedSum sumShared;
+    if (Pstream::parRun())
+    {
+        const scalarField claims(p.claims(mesh_));
+        const std::vector<char> owned
+        (
+            session_->own({claims.begin(), claims.end()})
+        );
+        forAll(p.owned, i)
+        {
+            p.owned[i] = owned[i];
+        }
+        sumShared = [this](std::vector<double>& values, int stride)
+        {
+            session_->sumShared(values, stride);
+        };
+    }
+
+    volScalarField& n = history_.mapped();
+    mapping_->map(p, sumShared, n, smoothing_.operator->());
+
+    scalar volume = 0;
+    forAll(p.owned, i)
+    {
+        volume += p.owned[i] ? p.volume[i] : 0;
+    }
+    reduce(volume, sumOp<scalar>());
+    solidVolume_ = volume;
+    if (volume > 0)
+    {
+        const scalar mapped = gSum((1 - n.primitiveField())*mesh_.V());
+        stats_.voidFractionError =
+            max(stats_.voidFractionError, mag(mapped - volume)/volume);
+    }
+    stats_.clippedVolume =
+        max(stats_.clippedVolume, mapping_->clippedVolume());
+    if (mapping_->excessVolume() > 0)
+    {
+        stats_.warn
+        (
+            "more solid than voidFractionMin leaves room for; n is below it"
+        );
+    }
+}
+
+
+Foam::scalar Foam::particleCoupling::elapsed() const
+{
+    const scalar step = session_->peer().step;
+    return std::round((session_->time() - time_)/step)*step;
+}
+
+
+void Foam::particleCoupling::exchangeMomentum()
+{
+    dispersedParticles& p = particles_;
+    const volScalarField nuEffective(nuEff());
+
+    if (!gradPSet_)
+    {
+        gradP_.primitiveFieldRef() = fvc::grad(p_)().primitiveField();
+        gradP_.correctBoundaryConditions();
+    }
+    const fluidState fluid{U_, gradP_, nuEffective, rho_, gravity_};
+
+    ledger_.settle
+    (
+        p,
+        elapsed()*forces_.hydrostaticForces(p, fluid),
+        smoothing_()
+    );
+
+    const auto impulse = session_->impulse();
+    stats_.momentumResidual = max
+    (
+        stats_.momentumResidual,
+        ledger_.residual(vector(impulse[0], impulse[1], impulse[2]))
+    );
+
+    forces_.evaluate(p, fluid, history_.mapped(), nu_);
+
+    // the owner tells the other ranks that hold a part of the particle
+    if (Pstream::parRun())
+    {
+        std::vector<double> shared(4*p.size(), 0.0);
+        forAll(p.owned, i)
+        {
+            if (p.owned[i])
+            {
+                shared[4*i] = forces_.K[i];
+                for (direction d = 0; d < 3; ++d)
+                {
+                    shared[4*i + 1 + d] = forces_.reacting[i][d];
+                }
+            }
+        }
+        session_->sumShared(shared, 4);
+        forAll(p.owned, i)
+        {
+            forces_.K[i] = shared[4*i];
+            forces_.reacting[i] =
+                vector(shared[4*i + 1], shared[4*i + 2], shared[4*i + 3]);
+        }
+    }
+
+    ledger_.setSources(p, forces_.K, forces_.reacting, smoothing_());
+}
+
+
+void Foam::particleCoupling::answer()
+{
+    using clay::Field;
+
+    const dispersedParticles& p = particles_;
+    answers_.resize(p.size());
+
+    const auto put = [&](Field f, const label i, const vector& v)
+    {
+        if (session_->sends().has(f))
+        {
+            std::copy(v.begin(), v.end(), answers_[f] + 3*i);
+        }
+    };
+
+    std::vector<char> owned(p.size());
+    forAll(p.owned, i)
+    {
+        owned[i] = p.owned[i];
+        if (session_->sends().has(Field::dragCoefficient))
+        {
+            answers_[Field::dragCoefficient][i] = forces_.K[i];
+        }
+        put(Field::fluidVelocity, i, forces_.u[i]);
+        put(Field::force, i, forces_.reacting[i] + forces_.hydrostatic[i]);
+    }
+
+    session_->answer(answers_, owned);
+    pending_ = false;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::particleCoupling::next()
+{
+    while (true)
+    {
+        switch (session_->next(received_))
+        {
+            case clay::CfdSession::Event::closed:
+            {
+                return false;
+            }
+            case clay::CfdSession::Event::resumed:
+            {
+                checkBuoyancy();
+                continue;
+            }
+            case clay::CfdSession::Event::state:
+            {
+                break;
+            }
+        }
+        const clay::DemTerms& dem = session_->peer();
+
+        if (mag(session_->time() - endOfInterval()) > 0.5*dem.step)
+        {
+            FatalErrorInFunction
+                << "the DEM half sent its state of time " << session_->time()
+                << " s, the fluid is at " << endOfInterval() << " s"
+                << exit(FatalError);
+        }
+
+        {
+            stopwatch watch(stats_.mapping);
+            take();
+            map();
+            exchangeMomentum();
+        }
+        ++stats_.exchanges;
+        pending_ = true;
+
+        time_ = session_->time();
+        const scalar remaining =
+            std::round((dem.endTime - time_)/dem.step)*dem.step;
+        interval_ =
+            session_->last() ? 0 : min(dem.step*dem.interval, remaining);
+        marched_ = 0;
+
+        if (!(interval_ > 0.5*dem.step))
+        {
+            interval_ = 0;
+            answer();
+            continue;
+        }
+
+        const bool changed = history_.begin
+        (
+            ddtType_, particles_, smoothing_(), solidVolume_, interval_
+        );
+        if (changed)
+        {
+            stats_.warn
+            (
+                "the particles' volume has changed (inserted or deleted): no"
+                " flow is made of that"
+            );
+        }
+        ledger_.begin(interval_);
+
+        if (properties_.overlap())
+        {
+            if (ledger_.stiffness(history_.mapped(), interval_) <= stiffLimit_)
+            {
+                answer();
+            }
+            else if (stats_.stiffExchanges++ == 0)
+            {
+                Info<< "clayFoam: at time " << time_ << " s drag is stiff for"
+                    << " the coupling interval of " << interval_
+                    << " s: the fluid is solved first in such intervals"
+                    << endl;
+            }
+        }
+        return true;
+    }
+}
+
+
+void Foam::particleCoupling::solved()
+{
+    checkFields();
+
+    if (pending_)
+    {
+        forces_.velocity(particles_, U_);
+        answer();
+    }
+    if (properties_.verbose())
+    {
+        Info<< "clayFoam: time " << endOfInterval() << " s, particles "
+            << returnReduce(particles_.size(), sumOp<label>())
+            << ", owed to the fluid " << ledger_.owed()
+            << " N s, largest momentum residual "
+            << stats_.momentumResidual << endl;
+    }
+}

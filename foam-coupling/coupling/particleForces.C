@@ -1,0 +1,162 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "particleForces.H"
+
+#include "interpolation.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+Foam::tmp<Foam::Field<Type>> Foam::particleForces::sample
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field,
+    const dispersedParticles& p
+) const
+{
+    auto tvalues = tmp<Field<Type>>::New(p.size(), Zero);
+    Field<Type>& values = tvalues.ref();
+
+    autoPtr<interpolation<Type>> scheme;
+    if (properties_.interpolation() != "cell")
+    {
+        scheme = interpolation<Type>::New(properties_.interpolation(), field);
+    }
+
+    forAll(values, i)
+    {
+        if (p.owned[i])
+        {
+            // a centre outside of the mesh takes the value of its cell
+            values[i] =
+                scheme.valid() && !(p.outside[i] > 0)
+              ? scheme->interpolate(p.position[i], p.cell[i])
+              : field[p.cell[i]];
+        }
+    }
+
+    return tvalues;
+}
+
+
+Foam::volVectorField Foam::particleForces::density
+(
+    const fluidState& fluid,
+    const bool onFluid
+) const
+{
+    const fvMesh& mesh = fluid.U.mesh();
+    volVectorField f
+    (
+        IOobject("particleForce", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimForce/dimVolume, Zero),
+        zeroGradientFvPatchVectorField::typeName
+    );
+
+    for (const forceModel& force : forces_)
+    {
+        if (force.onFluid() == onFluid)
+        {
+            force.add(fluid, f.primitiveFieldRef());
+        }
+    }
+    f.correctBoundaryConditions();
+
+    return f;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::particleForces::particleForces(const couplingProperties& properties)
+:
+    properties_(properties),
+    drag_(dragModel::New(properties)),
+    forces_(properties.forces().size()),
+    reynoldsMax_(0)
+{
+    forAll(forces_, i)
+    {
+        forces_.set(i, forceModel::New(properties.forces()[i], properties));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::particleForces::velocity
+(
+    const dispersedParticles& p,
+    const volVectorField& U
+)
+{
+    u = sample(U, p);
+}
+
+
+void Foam::particleForces::evaluate
+(
+    const dispersedParticles& p,
+    const fluidState& fluid,
+    const volScalarField& n,
+    const scalar nu
+)
+{
+    velocity(p, fluid.U);
+    const scalarField fraction(sample(n, p));
+
+    K.setSize(p.size());
+    K = 0;
+    forAll(K, i)
+    {
+        if (p.owned[i])
+        {
+            const scalar slip = mag(u[i] - p.velocity[i]);
+            const scalar d = 2*p.radius[i];
+
+            K[i] =
+                p.volume[i]
+               *drag_->coefficient(fraction[i], slip, d, nu, fluid.rho);
+            if (!properties_.modelA())
+            {
+                K[i] /= fraction[i];
+            }
+            reynoldsMax_ = max(reynoldsMax_, fraction[i]*d*slip/nu);
+        }
+    }
+
+    bool anyReacting = false;
+    for (const forceModel& force : forces_)
+    {
+        anyReacting = anyReacting || force.onFluid();
+    }
+    if (anyReacting)
+    {
+        reacting = p.volume*sample(density(fluid, true), p);
+    }
+    else
+    {
+        reacting.setSize(p.size());
+        reacting = Zero;
+    }
+    hydrostatic = hydrostaticForces(p, fluid);
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::particleForces::hydrostaticForces
+(
+    const dispersedParticles& p,
+    const fluidState& fluid
+) const
+{
+    vectorField one(1, Zero);
+    for (const forceModel& force : forces_)
+    {
+        if (!force.onFluid())
+        {
+            force.add(fluid, one);
+        }
+    }
+    return p.volume*one[0];
+}

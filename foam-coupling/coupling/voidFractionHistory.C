@@ -1,0 +1,158 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "voidFractionHistory.H"
+
+#include "calculatedFvPatchFields.H"
+#include "fvc.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::voidFractionHistory::particleFlux
+(
+    const dispersedParticles& p,
+    const smoothingModel& smoothing
+)
+{
+    // zero on walls, inlets and outlets: particles cross none of them
+    volVectorField flux
+    (
+        IOobject("particleFlux", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedVector(dimVelocity, Zero),
+        calculatedFvPatchVectorField::typeName
+    );
+    vectorField& cells = flux.primitiveFieldRef();
+
+    forAll(p.position, i)
+    {
+        for (label e = p.offset[i]; e < p.offset[i + 1]; ++e)
+        {
+            cells[p.cellIndex[e]] += p.weight[e]*p.volume[i]*p.velocity[i];
+        }
+    }
+    cells /= mesh_.V();
+
+    if (smoothing.active())
+    {
+        scalarField component(cells.size());
+        for (direction d = 0; d < vector::nComponents; ++d)
+        {
+            component = cells.component(d);
+            smoothing.smooth(component);
+            cells.replace(d, component);
+        }
+    }
+    flux.correctBoundaryConditions();
+
+    ddt_ = fvc::div(fvc::interpolate(flux, "interpolate(U)") & mesh_.Sf());
+}
+
+
+bool Foam::voidFractionHistory::saved(const fvMesh& mesh)
+{
+    return IOobject
+    (
+        "voidfraction",
+        mesh.time().timeName(),
+        mesh,
+        IOobject::READ_IF_PRESENT
+    ).typeHeaderOk<volScalarField>(true);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::voidFractionHistory::voidFractionHistory(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    n_
+    (
+        IOobject
+        (
+            "voidfraction",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        mesh,
+        dimensionedScalar("one", dimless, 1),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    old_("voidfractionOld", n_),
+    mapped_("voidfractionMapped", n_),
+    start_(n_.primitiveField()),
+    end_(n_.primitiveField()),
+    ddt_
+    (
+        IOobject("ddtVoidfraction", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless/dimTime, Zero),
+        calculatedFvPatchScalarField::typeName
+    ),
+    fresh_(!saved(mesh)),
+    lastInterval_(0),
+    solidVolume_(-1)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::voidFractionHistory::begin
+(
+    const couplingProperties::ddtType ddt,
+    const dispersedParticles& p,
+    const smoothingModel& smoothing,
+    const scalar solidVolume,
+    const scalar T
+)
+{
+    const scalarField& mapped = mapped_.primitiveField();
+
+    const bool changed =
+        solidVolume_ >= 0
+     && mag(solidVolume - solidVolume_) > 1e-9*max(solidVolume, solidVolume_);
+
+    start_ = (fresh_ || changed) ? mapped : end_;
+
+    // a short interval takes its share of the change, the rest comes later
+    const scalar share = lastInterval_ > 0 ? min(1.0, T/lastInterval_) : 1;
+    end_ = start_ + share*(mapped - start_);
+
+    switch (ddt)
+    {
+        case couplingProperties::ddtType::difference:
+        {
+            ddt_.primitiveFieldRef() = (end_ - start_)/T;
+            break;
+        }
+        case couplingProperties::ddtType::particleFlux:
+        {
+            particleFlux(p, smoothing);
+            break;
+        }
+        case couplingProperties::ddtType::none:
+        {
+            ddt_.primitiveFieldRef() = Zero;
+            break;
+        }
+    }
+
+    n_.primitiveFieldRef() = start_;
+    n_.correctBoundaryConditions();
+
+    fresh_ = false;
+    lastInterval_ = T;
+    solidVolume_ = solidVolume;
+
+    return changed;
+}
+
+
+void Foam::voidFractionHistory::advance(const scalar s)
+{
+    old_ == n_;
+    n_.primitiveFieldRef() = end_ - (1 - s)*(end_ - start_);
+    n_.correctBoundaryConditions();
+}

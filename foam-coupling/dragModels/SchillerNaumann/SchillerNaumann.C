@@ -1,0 +1,47 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "SchillerNaumann.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace dragModels
+{
+    defineTypeNameAndDebug(SchillerNaumann, 0);
+    addToRunTimeSelectionTable(dragModel, SchillerNaumann, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dragModels::SchillerNaumann::SchillerNaumann(const dictionary& dict)
+:
+    dragModel(dict, typeName, {"newtonCd"}),
+    newtonCd_(coeffs_.lookupOrDefault<scalar>("newtonCd", 0.44))
+{
+    if (newtonCd_ <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "SchillerNaumannCoeffs: newtonCd " << newtonCd_
+            << " should be above 0, such as 0.44"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::dragModels::SchillerNaumann::coefficient
+(
+    const scalar n,
+    const scalar slip,
+    const scalar d,
+    const scalar nu,
+    const scalar rho
+) const
+{
+    return stokes(d, nu, rho)*sphere(reynolds(1, slip, d, nu), newtonCd_);
+}

@@ -1,0 +1,81 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+# Sources of the run-time selectable models. They register themselves when
+# loaded: the library that holds them must be shared or an object library.
+set(CLAYFOAM_MODEL_SOURCES
+  modelCoeffs/modelCoeffs.C
+  dispersedParticles/cellGeometry.C
+  dispersedParticles/dispersedParticles.C
+  voidFractionModels/voidFractionModel/voidFractionModel.C
+  voidFractionModels/voidFractionModel/limitVoidFraction.C
+  voidFractionModels/centre/centreVoidFraction.C
+  voidFractionModels/divided/dividedVoidFraction.C
+  voidFractionModels/exactOverlap/faceFacets.C
+  voidFractionModels/exactOverlap/sphereFacet.C
+  voidFractionModels/exactOverlap/exactOverlapVoidFraction.C
+  dragModels/dragModel/dragModel.C
+  dragModels/ergunWenYu/ergunWenYu.C
+  dragModels/ergunWenYuBlended/ergunWenYuBlended.C
+  dragModels/SchillerNaumann/SchillerNaumann.C
+  dragModels/Gidaspow/Gidaspow.C
+  dragModels/DiFelice/DiFelice.C
+  dragModels/Beetstra/Beetstra.C
+  dragModels/KochHill/KochHill.C
+  smoothingModels/smoothingModel/smoothingModel.C
+  smoothingModels/none/noSmoothing.C
+  smoothingModels/diffusion/diffusionSmoothing.C)
+
+set(CLAYFOAM_MODEL_INCLUDE_DIRS
+  modelCoeffs dispersedParticles
+  voidFractionModels/voidFractionModel voidFractionModels/centre
+  voidFractionModels/divided voidFractionModels/exactOverlap
+  dragModels/dragModel dragModels/ergunWenYu dragModels/ergunWenYuBlended
+  dragModels/SchillerNaumann dragModels/Gidaspow dragModels/DiFelice
+  dragModels/Beetstra dragModels/KochHill
+  smoothingModels/smoothingModel smoothingModels/none smoothingModels/diffusion)
+set(CLAYFOAM_MODEL_DIR ${CMAKE_CURRENT_LIST_DIR})
+list(TRANSFORM CLAYFOAM_MODEL_INCLUDE_DIRS PREPEND ${CLAYFOAM_MODEL_DIR}/)
+
+# Adds the models' tests; call it once the library clayCoupling is defined.
+macro(clayfoam_model_tests)
+  # OpenFOAM's libraries look for their etc/ as they are loaded
+  set(environment ${CLAYFOAM_MODEL_DIR}/clayFoam/environment.C)
+
+  add_library(clayTestMesh STATIC ${CLAYFOAM_MODEL_DIR}/tests/testMesh.C
+    ${CLAYFOAM_MODEL_DIR}/tests/meshCase.C
+    ${CLAYFOAM_MODEL_DIR}/tests/testMain.C)
+  target_include_directories(clayTestMesh PUBLIC ${CLAYFOAM_MODEL_DIR}/tests)
+  target_compile_definitions(clayTestMesh PUBLIC
+    CLAYFOAM_TEST_DATA="${CLAYFOAM_MODEL_DIR}/tests/data")
+  target_link_libraries(clayTestMesh PUBLIC clayCoupling GTest::gtest)
+
+  foreach(test
+      dragModels/dragModelTest
+      voidFractionModels/exactOverlap/sphereFacetTest
+      voidFractionModels/voidFractionModelTest
+      voidFractionModels/limitVoidFractionTest
+      dispersedParticles/dispersedParticlesTest
+      smoothingModels/smoothingModelTest)
+    get_filename_component(name ${test} NAME)
+    add_executable(${name} ${CLAYFOAM_MODEL_DIR}/${test}.C ${environment})
+    target_link_libraries(${name} PRIVATE clayTestMesh)
+    add_test(NAME ${name} COMMAND ${name})
+  endforeach()
+
+  # the same on several ranks
+  add_executable(parallelMappingTest
+    ${CLAYFOAM_MODEL_DIR}/tests/parallelMappingTest.C ${environment})
+  target_link_libraries(parallelMappingTest PRIVATE clayTestMesh)
+  foreach(ranks 2 3)
+    add_test(NAME parallelMappingTest_${ranks}
+      COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks}
+        --oversubscribe $<TARGET_FILE:parallelMappingTest>)
+    set_tests_properties(parallelMappingTest_${ranks} PROPERTIES
+      PROCESSORS ${ranks} TIMEOUT 120
+      ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+  endforeach()
+
+  # not a test: prints what each scheme costs a particle
+  add_executable(mappingCost
+    ${CLAYFOAM_MODEL_DIR}/tests/mappingCost.C ${environment})
+  target_link_libraries(mappingCost PRIVATE clayTestMesh)
+endmacro()

@@ -1,0 +1,78 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "smoothingModel.H"
+#include "modelCoeffs.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(smoothingModel, 0);
+    defineRunTimeSelectionTable(smoothingModel, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::smoothingModel::smoothingModel
+(
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const word& type,
+    const wordList& entries
+)
+:
+    mesh_(mesh),
+    coeffs_(modelCoeffs(dict, type, entries))
+{}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::smoothingModel> Foam::smoothingModel::New
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+{
+    const word type(dict.lookupOrDefault<word>("smoothingModel", "none"));
+
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
+
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInFunction(dict)
+            << "smoothingModel " << type << " is not known; known are "
+            << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
+            << exit(FatalIOError);
+    }
+
+    return cstrIter()(dict, mesh);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::smoothingModel::smooth(volScalarField& field) const
+{
+    if (active())
+    {
+        smooth(static_cast<scalarField&>(field.primitiveFieldRef()));
+        field.correctBoundaryConditions();
+    }
+}
+
+
+void Foam::smoothingModel::smooth(volVectorField& field) const
+{
+    if (active())
+    {
+        for (direction axis = 0; axis < 3; ++axis)
+        {
+            scalarField component(field.primitiveField().component(axis));
+            smooth(component);
+            field.primitiveFieldRef().replace(axis, component);
+        }
+        field.correctBoundaryConditions();
+    }
+}

@@ -1,0 +1,182 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+// Input that cannot work ends both halves with one clear line; a run that was
+// cut in two gives what one run gives.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "coupledRun.h"
+
+namespace {
+
+/// A small column that would run well.
+CoupledRun column(const std::string& name) {
+  CoupledRun run(name);
+  run.box("x1 0.02; y1 0.02; z1 0.04; nx 2; ny 2; nz 4; topType patch; topU zeroGradient;"
+          "topP fixedValue;");
+  run.dem("hi", "0.02,0.02,0.04").dem("from", "0,0,0.02").dem("count", "4,4,4");
+  run.dem("to", "0.02,0.02,0.04").dem("gravity", "0,0,-9.81").dem("steps", 200);
+  return run;
+}
+
+bool says(const CoupledRun& run, const std::string& text) {
+  return run.log().find(text) != std::string::npos;
+}
+
+int count(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+struct Bad {
+  const char* name;
+  const char* properties;
+  const char* line;
+};
+
+class Dictionary : public testing::TestWithParam<Bad> {};
+
+}  // namespace
+
+TEST_P(Dictionary, IsRefused) {
+  const auto& p = GetParam();
+  auto run = column(std::string("bad-") + p.name);
+  run.properties(p.properties);
+  ASSERT_NE(run.meshAndRun(), 0);
+  EXPECT_TRUE(says(run, p.line)) << run.log();
+  EXPECT_FALSE(std::filesystem::exists(run.path() / "cfd.json"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Dictionary,
+    testing::Values(
+        Bad{"entry", "dragModell ergunWenYu;", "unknown entry dragModell; the nearest known one is dragModel"},
+        Bad{"coeffs", "ergunWenYCoeffs {}", "the nearest known one is ergunWenYuCoeffs"},
+        Bad{"drag", "dragModel Ergun;", "dragModel Ergun is not known"},
+        Bad{"void", "voidFractionModel exact;", "voidFractionModel exact is not known"},
+        Bad{"model", "model C;", "model C is not known; known are (A B)"},
+        Bad{"force", "forceModels (lift buoyancy);", "lift is not known"},
+        Bad{"twice", "forceModels (buoyancy pressureGradient buoyancy);", "lists buoyancy twice"},
+        Bad{"modelB", "model B; forceModels (pressureGradient buoyancy);", "model is B"},
+        Bad{"buoyancy", "forceModels (pressureGradient);", "lacks buoyancy"},
+        Bad{"ddt", "ddtVoidFraction sometimes;", "ddtVoidFraction sometimes is not known"},
+        Bad{"min", "voidFractionMin 1.5;", "voidFractionMin 1.5 must lie between 0 and 1"},
+        Bad{"interval", "couplingInterval 3e-4;", "coupling intervals differ"},
+        Bad{"switch", "overlap perhaps;", "overlap"}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(Refusal, TransportWithoutDensity) {
+  auto run = column("no-rho");
+  run.edit("constant/transportProperties", "rho             $rho;", "rho 0;");
+  ASSERT_NE(run.meshAndRun(), 0);
+  EXPECT_TRUE(says(run, "clayFoam: refused: rho 0 must be above 0")) << run.log();
+}
+
+TEST(Refusal, EndTimesThatDiffer) {
+  auto run = column("end-time");
+  run.edit("system/controlDict", "startTime       0;", "startTime       0;\nendTime         1;");
+  ASSERT_NE(run.meshAndRun(), 0);
+  EXPECT_TRUE(says(run, "clayFoam: refused: the end times differ")) << run.log();
+  EXPECT_EQ(count(run.log(), "clayFoam: refused:"), 1) << run.log();
+}
+
+TEST(Refusal, IsSaidOnceByTwoRanks) {
+  auto run = column("end-time-parallel");
+  run.edit("system/controlDict", "startTime       0;", "startTime       0;\nendTime         1;");
+  run.ranks(1, 2);
+  ASSERT_NE(run.meshAndRun(), 0);
+  EXPECT_EQ(count(run.log(), "clayFoam: refused:"), 1) << run.log();
+}
+
+TEST(Refusal, OneOfTwoRanksSpeaksForABadDictionary) {
+  auto run = column("bad-parallel");
+  run.properties("dragModell ergunWenYu;").ranks(2, 2);
+  ASSERT_NE(run.meshAndRun(), 0);
+  EXPECT_TRUE(says(run, "unknown entry dragModell")) << run.log();
+}
+
+TEST(Refusal, BuoyancyLeftOutOnPurpose) {
+  auto run = column("no-buoyancy");
+  run.properties("forceModels (pressureGradient); allowNoBuoyancy yes;");
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+  EXPECT_TRUE(says(run, "warning: forceModels (pressureGradient) lacks buoyancy")) << run.log();
+  EXPECT_EQ(run.cfd()["warnings"].size(), 1u);
+}
+
+TEST(Failure, AParticleThatIsNoNumberIsNamed) {
+  auto run = column("spoiled");
+  run.dem("spoilAt", 100);
+  ASSERT_NE(run.meshAndRun(), 0);
+  EXPECT_TRUE(says(run, "particle 1")) << run.log();
+}
+
+TEST(Failure, AFluidThatIsNoNumberIsNamed) {
+  auto run = column("nan");
+  run.box("U0 (1e200 0 1e200); adjust no; deltaT 1e-3;");
+  ASSERT_NE(run.meshAndRun(), 0);
+  EXPECT_TRUE(says(run, "the fluid is no number at time")) << run.log();
+}
+
+TEST(Failure, AMissingCaseIsNamed) {
+  auto run = column("no-mesh");
+  ASSERT_NE(run.run(), 0);
+  EXPECT_TRUE(says(run, "clayFoam: ")) << run.log();
+}
+
+TEST(Report, HoldsSettingsAndDefaults) {
+  auto run = column("report");
+  run.properties("voidFractionMin 0.3;");
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+  const auto cfd = run.cfd();
+  EXPECT_EQ(cfd["program"], "clayFoam");
+  EXPECT_EQ(cfd["settings"]["dragModel"], "ergunWenYu");
+  EXPECT_EQ(cfd["settings"]["voidFractionMin"], 0.3);
+  EXPECT_EQ(cfd["settings"]["rho"], 1000);
+  EXPECT_EQ(cfd["settings"]["meshCells"], 16);
+  EXPECT_EQ(cfd["exchanges"], 11);
+  EXPECT_GE(cfd["cfd_steps"], 10);
+  EXPECT_GT(cfd["cfd_s"], 0);
+  EXPECT_TRUE(says(run, "defaults taken: overlap")) << run.log();
+}
+
+TEST(Output, IsWrittenWhenDueAndAtTheEnd) {
+  auto run = column("output");
+  run.box("writeInterval 0.0006;");
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+  for (const char* time : {"0.0006", "0.0012", "0.0018", "0.002"})
+    EXPECT_TRUE(std::filesystem::exists(run.path() / time / "voidfraction")) << time;
+  EXPECT_FALSE(std::filesystem::exists(run.path() / "0.0004"));
+}
+
+TEST(Restart, GoesOnAsIfItHadNotStopped) {
+  auto whole = column("whole");
+  whole.dem("steps", 400);
+  ASSERT_EQ(whole.meshAndRun(), 0) << whole.log();
+
+  auto parts = column("parts");
+  const std::string state = (parts.path() / "spheres").string();
+  parts.dem("save", state);
+  ASSERT_EQ(parts.meshAndRun(), 0) << parts.log();
+  parts.dem("load", state).dem("start", 0.002);
+  ASSERT_EQ(parts.run(), 0) << parts.log();
+
+  EXPECT_NEAR(parts.lastVelocity() / whole.lastVelocity(), 1, 1e-9);
+  const auto U = parts.meanOfField("U"), V = whole.meanOfField("U");
+  EXPECT_NEAR(U[2], V[2], 1e-10 * std::fabs(whole.lastVelocity()));
+  EXPECT_LT(parts.cfd()["max_momentum_residual"], 1e-10);
+}
+
+TEST(Restart, FollowsAFurtherRunOfTheDemHalf) {
+  auto whole = column("one-run");
+  whole.dem("steps", 400);
+  ASSERT_EQ(whole.meshAndRun(), 0) << whole.log();
+
+  auto two = column("two-runs");
+  two.dem("runs", 2);
+  ASSERT_EQ(two.meshAndRun(), 0) << two.log();
+  EXPECT_NEAR(two.lastVelocity() / whole.lastVelocity(), 1, 1e-9);
+  EXPECT_EQ(two.cfd()["exchanges"], 22);
+  EXPECT_LT(two.cfd()["max_momentum_residual"], 1e-10);
+}

@@ -1,0 +1,58 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "centreVoidFraction.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace voidFractionModels
+{
+    defineTypeNameAndDebug(centre, 0);
+    addToRunTimeSelectionTable(voidFractionModel, centre, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::voidFractionModels::centre::centre
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+:
+    voidFractionModel(dict, mesh, typeName),
+    told_(false)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::voidFractionModels::centre::weights(dispersedParticles& p) const
+{
+    p.cellIndex.clear();
+    p.weight.clear();
+    p.offset[0] = 0;
+
+    for (label i = 0; i < p.size(); ++i)
+    {
+        if (p.owned[i])
+        {
+            p.cellIndex.append(p.cell[i]);
+            p.weight.append(1);
+
+            if (!told_ && p.volume[i] > mesh_.V()[p.cell[i]])
+            {
+                told_ = true;
+                WarningInFunction
+                    << "particle " << p.tag[i] << ", volume " << p.volume[i]
+                    << " m3, is larger than its cell, " << mesh_.V()[p.cell[i]]
+                    << " m3; take voidFractionModel exactOverlap or larger"
+                    << " cells" << endl;
+            }
+        }
+        p.offset[i + 1] = p.weight.size();
+    }
+}

@@ -1,0 +1,176 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "dividedVoidFraction.H"
+#include "cellGeometry.H"
+#include "addToRunTimeSelectionTable.H"
+#include "mathematicalConstants.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace voidFractionModels
+{
+    defineTypeNameAndDebug(divided, 0);
+    addToRunTimeSelectionTable(voidFractionModel, divided, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+Foam::pointField Foam::voidFractionModels::divided::shells()
+{
+    pointField points(29);
+    label m = 0;
+    points[m++] = Zero;
+
+    for (label shell = 0; shell < 2; ++shell)
+    {
+        const scalar a = cbrt((1 + 14.0*shell)/29);
+        const scalar b = cbrt((15 + 14.0*shell)/29);
+        const scalar r = 0.75*(pow4(b) - pow4(a))/(pow3(b) - pow3(a));
+
+        for (direction axis = 0; axis < 3; ++axis)
+        {
+            for (const scalar side : {-1, 1})
+            {
+                points[m] = Zero;
+                points[m++][axis] = side*r;
+            }
+        }
+        for (label corner = 0; corner < 8; ++corner)
+        {
+            const vector direction
+            (
+                corner & 1 ? 1 : -1,
+                corner & 2 ? 1 : -1,
+                corner & 4 ? 1 : -1
+            );
+            points[m++] = r/std::sqrt(3.0)*direction;
+        }
+    }
+
+    return points;
+}
+
+
+Foam::pointField Foam::voidFractionModels::divided::spread(const label n)
+{
+    // g^4 = g + 1
+    const scalar g = 1.2207440846057596;
+    pointField points(n);
+    label m = 0;
+
+    if (n % 2)
+    {
+        points[m++] = Zero;
+    }
+
+    const label pairs = n/2;
+    for (label k = 0; k < pairs; ++k)
+    {
+        // shares of the volume in order, so that each radius is met once
+        const scalar share = (n % 2 + 2*k + 1)/scalar(n);
+        const scalar u = std::fmod(0.5 + (k + 1)/g, 1.0);
+        const scalar v = std::fmod(0.5 + (k + 1)/(g*g), 1.0);
+
+        const scalar r = cbrt(share);
+        const scalar z = 1 - 2*u;
+        const scalar s = std::sqrt(1 - z*z);
+        const scalar a = constant::mathematical::twoPi*v;
+
+        points[m] = r*vector(s*std::cos(a), s*std::sin(a), z);
+        points[m + 1] = -points[m];
+        m += 2;
+    }
+
+    return points;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::voidFractionModels::divided::divided
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+:
+    voidFractionModel(dict, mesh, typeName, {"points"}),
+    reach_(0)
+{
+    const label n = coeffs_.lookupOrDefault<label>("points", 29);
+    if (n < 1 || n > 100000)
+    {
+        FatalIOErrorInFunction(dict)
+            << "dividedCoeffs: points " << n
+            << " should be 1 to 100000"
+            << exit(FatalIOError);
+    }
+
+    points_ = n == 29 ? shells() : spread(n);
+    for (const point& x : points_)
+    {
+        reach_ = max(reach_, mag(x));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
+{
+    const cellGeometry& geometry = cellGeometry::New(mesh_);
+    const scalar share = 1.0/points_.size();
+
+    p.cellIndex.clear();
+    p.weight.clear();
+    p.offset[0] = 0;
+
+    for (label i = 0; i < p.size(); ++i)
+    {
+        const point& x = p.position[i];
+        const label home = p.cell[i];
+        const label start = p.weight.size();
+
+        if (home >= 0)
+        {
+            p.cellIndex.append(home);
+            p.weight.append(0);
+
+            if (geometry.outside(home, x) <= -reach_*p.radius[i])
+            {
+                p.weight.last() = 1;
+                p.offset[i + 1] = p.weight.size();
+                continue;
+            }
+        }
+
+        label hint = home;
+        for (const point& unit : points_)
+        {
+            scalar away;
+            const label celli =
+                geometry.find(x + p.radius[i]*unit, 0, hint, away);
+            if (celli < 0)
+            {
+                continue;
+            }
+            hint = celli;
+
+            label k = start;
+            while (k < p.weight.size() && p.cellIndex[k] != celli)
+            {
+                ++k;
+            }
+            if (k == p.weight.size())
+            {
+                p.cellIndex.append(celli);
+                p.weight.append(0);
+            }
+            p.weight[k] += share;
+        }
+        p.offset[i + 1] = p.weight.size();
+    }
+}

@@ -1,0 +1,289 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "exactOverlapVoidFraction.H"
+#include "cellGeometry.H"
+#include "faceFacets.H"
+#include "addToRunTimeSelectionTable.H"
+#include "mathematicalConstants.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace voidFractionModels
+{
+    defineTypeNameAndDebug(exactOverlap, 0);
+    addToRunTimeSelectionTable(voidFractionModel, exactOverlap, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+bool Foam::voidFractionModels::exactOverlap::shared(const label facei) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    return patches[patches.whichPatch(facei)].coupled();
+}
+
+
+Foam::voidFractionModels::exactOverlap::cut&
+Foam::voidFractionModels::exactOverlap::look
+(
+    const faceFacets& facets,
+    const label facei,
+    const point& centre,
+    const scalar R
+) const
+{
+    cut& c = cuts_[facei];
+    if (c.sphere != sphere_)
+    {
+        c.sphere = sphere_;
+        c.meets = sphereFacet::apart;
+        c.distance = 0;
+        c.measured = false;
+        c.taken = false;
+        for (label k = facets.first(facei); k < facets.last(facei); ++k)
+        {
+            const sphereFacet facet(facets.against(k, centre, R));
+            c.meets = std::max(c.meets, facet.meets());
+            if (k == facets.first(facei))
+            {
+                c.distance = facet.distance();
+            }
+        }
+    }
+    return c;
+}
+
+
+Foam::scalar Foam::voidFractionModels::exactOverlap::pyramid
+(
+    const faceFacets& facets,
+    const label facei,
+    const point& centre,
+    const scalar R
+) const
+{
+    cut& c = look(facets, facei, centre, R);
+    if (!c.measured)
+    {
+        c.measured = true;
+        c.volume = 0;
+        for (label k = facets.first(facei); k < facets.last(facei); ++k)
+        {
+            c.volume += facets.against(k, centre, R).volume();
+        }
+    }
+    return c.volume;
+}
+
+
+Foam::scalar Foam::voidFractionModels::exactOverlap::takenOff
+(
+    const faceFacets& facets,
+    const label facei,
+    const point& centre,
+    const scalar R
+) const
+{
+    cut& c = cuts_[facei];
+    if (!c.taken)
+    {
+        c.taken = true;
+        c.takenOff =
+            facets.against(facets.first(facei), centre, R).takenOff();
+    }
+    return c.takenOff;
+}
+
+
+Foam::scalar Foam::voidFractionModels::exactOverlap::overlap
+(
+    const faceFacets& facets,
+    const label celli,
+    const point& centre,
+    const scalar R
+) const
+{
+    const cell& faces = mesh_.cells()[celli];
+    const labelUList& owner = mesh_.faceOwner();
+
+    if (facets.convex(celli))
+    {
+        if (facets.reach(celli) + mag(mesh_.C()[celli] - centre) <= R)
+        {
+            return mesh_.V()[celli];
+        }
+
+        bool inside = true;
+        bool clear = true;
+        for (const label facei : faces)
+        {
+            const cut& c = look(facets, facei, centre, R);
+            inside = inside && (c.distance > 0) == (owner[facei] == celli);
+            clear =
+                clear
+             && (c.meets == sphereFacet::apart || mag(c.distance) > 0.01*R);
+        }
+
+        if (clear)
+        {
+            scalar rest =
+                inside ? 4.0/3*constant::mathematical::pi*pow3(R) : 0;
+            for (const label facei : faces)
+            {
+                if (cuts_[facei].meets != sphereFacet::apart)
+                {
+                    const scalar part = takenOff(facets, facei, centre, R);
+                    rest += owner[facei] == celli ? part : -part;
+                }
+            }
+            return max(rest, 0.0);
+        }
+    }
+
+    scalar sum = 0;
+    for (const label facei : faces)
+    {
+        const scalar part = pyramid(facets, facei, centre, R);
+        sum += owner[facei] == celli ? part : -part;
+    }
+    return max(sum, 0.0);
+}
+
+
+void Foam::voidFractionModels::exactOverlap::reach(const label celli) const
+{
+    if (reached_[celli] != sphere_)
+    {
+        reached_[celli] = sphere_;
+        front_.append(celli);
+    }
+}
+
+
+bool Foam::voidFractionModels::exactOverlap::spread
+(
+    const faceFacets& facets,
+    const label celli,
+    const point& centre,
+    const scalar R
+) const
+{
+    bool leaves = false;
+
+    for (const label facei : mesh_.cells()[celli])
+    {
+        if (look(facets, facei, centre, R).meets == sphereFacet::apart)
+        {
+            continue;
+        }
+
+        if (mesh_.isInternalFace(facei))
+        {
+            const label own = mesh_.faceOwner()[facei];
+            reach(own == celli ? mesh_.faceNeighbour()[facei] : own);
+        }
+        else
+        {
+            leaves = leaves || shared(facei);
+        }
+    }
+
+    return leaves;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::voidFractionModels::exactOverlap::exactOverlap
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+:
+    voidFractionModel(dict, mesh, typeName),
+    sphere_(0),
+    cuts_(mesh.nFaces(), cut{-1, sphereFacet::apart, 0, false, 0, false, 0}),
+    reached_(mesh.nCells(), -1)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::voidFractionModels::exactOverlap::weights
+(
+    dispersedParticles& p
+) const
+{
+    const cellGeometry& geometry = cellGeometry::New(mesh_);
+    const faceFacets& facets = faceFacets::New(mesh_);
+
+    p.cellIndex.clear();
+    p.weight.clear();
+    p.offset[0] = 0;
+
+    for (label i = 0; i < p.size(); ++i)
+    {
+        const point& x = p.position[i];
+        const scalar R = p.radius[i];
+        const scalar ball = 4.0/3*constant::mathematical::pi*pow3(R);
+        const label home = p.cell[i];
+
+        if (++sphere_ == labelMax)
+        {
+            // long runs come round
+            cuts_ = cut{-1, sphereFacet::apart, 0, false, 0, false, 0};
+            reached_ = -1;
+            sphere_ = 0;
+        }
+        front_.clear();
+
+        if
+        (
+            home >= 0
+         && geometry.outside(home, x) + facets.warp(home) <= -R
+        )
+        {
+            p.cellIndex.append(home);
+            p.weight.append(1);
+            p.offset[i + 1] = p.weight.size();
+            continue;
+        }
+
+        // with its centre outside the sphere may come in from anywhere
+        bool leaves = home < 0 || p.outside[i] > 0;
+        if (home >= 0)
+        {
+            reach(home);
+        }
+        for (label k = 0; k < front_.size(); ++k)
+        {
+            leaves = spread(facets, front_[k], x, R) || leaves;
+        }
+        if (leaves)
+        {
+            nearby_.clear();
+            geometry.near(x, R, nearby_);
+            for (const label celli : nearby_)
+            {
+                reach(celli);
+            }
+        }
+
+        for (const label celli : front_)
+        {
+            const scalar w = overlap(facets, celli, x, R)/ball;
+            if (w > 0 || celli == home)
+            {
+                p.cellIndex.append(celli);
+                p.weight.append(w);
+            }
+        }
+        p.offset[i + 1] = p.weight.size();
+    }
+}

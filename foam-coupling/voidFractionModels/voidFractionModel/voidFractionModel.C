@@ -1,0 +1,137 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "voidFractionModel.H"
+#include "modelCoeffs.H"
+#include "smoothingModel.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(voidFractionModel, 0);
+    defineRunTimeSelectionTable(voidFractionModel, dictionary);
+}
+
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+void Foam::voidFractionModel::normalise
+(
+    dispersedParticles& p,
+    const sharedSum& sumShared
+) const
+{
+    std::vector<double> sums(p.size(), 0.0);
+
+    for (label i = 0; i < p.size(); ++i)
+    {
+        for (label k = p.offset[i]; k < p.offset[i + 1]; ++k)
+        {
+            sums[i] += p.weight[k];
+        }
+    }
+
+    if (sumShared)
+    {
+        sumShared(sums, 1);
+    }
+
+    for (label i = 0; i < p.size(); ++i)
+    {
+        // a sphere in no cell at all belongs to the cell of its owner
+        const bool lost = sums[i] < 1e-12;
+
+        for (label k = p.offset[i]; k < p.offset[i + 1]; ++k)
+        {
+            p.weight[k] = lost ? 0 : p.weight[k]/sums[i];
+        }
+        if (lost && p.owned[i])
+        {
+            p.weight[p.offset[i]] = 1;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::voidFractionModel::voidFractionModel
+(
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const word& type,
+    const wordList& entries
+)
+:
+    clippedVolume_(0),
+    excessVolume_(0),
+    mesh_(mesh),
+    coeffs_(modelCoeffs(dict, type, entries)),
+    voidFractionMin_(dict.lookupOrDefault<scalar>("voidFractionMin", 0.2))
+{
+    if (voidFractionMin_ <= 0 || voidFractionMin_ >= 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "voidFractionMin " << voidFractionMin_
+            << " should be above 0 and below 1"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::voidFractionModel> Foam::voidFractionModel::New
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+{
+    const word type(dict.get<word>("voidFractionModel"));
+
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
+
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInFunction(dict)
+            << "voidFractionModel " << type << " is not known; known are "
+            << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
+            << exit(FatalIOError);
+    }
+
+    return cstrIter()(dict, mesh);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::voidFractionModel::map
+(
+    dispersedParticles& p,
+    const sharedSum& sumShared,
+    volScalarField& n,
+    const smoothingModel* smoothing
+)
+{
+    weights(p);
+    normalise(p, sumShared);
+
+    scalarField alpha(mesh_.nCells(), 0.0);
+    for (label i = 0; i < p.size(); ++i)
+    {
+        for (label k = p.offset[i]; k < p.offset[i + 1]; ++k)
+        {
+            alpha[p.cellIndex[k]] += p.weight[k]*p.volume[i];
+        }
+    }
+    alpha /= mesh_.V();
+
+    if (smoothing && smoothing->active())
+    {
+        smoothing->smooth(alpha);
+    }
+    limit(alpha);
+
+    n.primitiveFieldRef() = 1 - alpha;
+    n.correctBoundaryConditions();
+}

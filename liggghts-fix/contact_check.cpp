@@ -1,0 +1,209 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "atom.h"
+#include "fix_multisphere.h"
+#include "fix_property_global.h"
+#include "fix_template_clay.h"
+#include "fix_wall_gran.h"
+#include "force.h"
+#include "lammps.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "pair_gran.h"
+#include "primitive_wall.h"
+#include "vector_container.h"
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+PairGran *granular(LAMMPS *lmp)
+{
+  return lmp->force->pair ? dynamic_cast<PairGran *>(lmp->force->pair_match("gran", 1)) : nullptr;
+}
+
+// fixes wall/gran of primitive shape
+std::vector<FixWallGran *> primitive_walls(LAMMPS *lmp)
+{
+  std::vector<FixWallGran *> walls;
+  for (int i = 0; i < lmp->modify->nfix; i++) {
+    FixWallGran *w = dynamic_cast<FixWallGran *>(lmp->modify->fix[i]);
+    if (w && !w->is_mesh_wall() && w->primitiveWall()) walls.push_back(w);
+  }
+  return walls;
+}
+
+}
+
+ContactModel::ContactModel(LAMMPS *lmp) : lmp_(lmp)
+{
+  PairGran *gran = granular(lmp);
+  stiffness_ = gran && gran->contact_match("normal", "hooke/stiffness");
+  known_ = stiffness_ || (gran && gran->contact_match("normal", "hooke"));
+}
+
+double ContactModel::global(const char *name, const char *kind, int i, int j) const
+{
+  const int n = lmp_->atom->ntypes;
+  const std::string shape = kind;
+  Fix *found = lmp_->modify->find_fix_property(name, "property/global", kind, shape == "scalar" ? 0 : n,
+                                               shape == "peratomtypepair" ? n : 0, "contact check", false);
+  FixPropertyGlobal *p = dynamic_cast<FixPropertyGlobal *>(found);
+  if (!p) return -1.0;
+  if (shape == "scalar") return p->compute_scalar();
+  if (shape == "peratomtype") return p->compute_vector(i - 1);
+  return p->compute_array(i - 1, j - 1);
+}
+
+clay::ContactCoefficients ContactModel::between(int i, int j, double mass, double radius) const
+{
+  if (stiffness_) {
+    clay::ContactCoefficients c;
+    c.kn = global("kn", "peratomtypepair", i, j);
+    c.kt = global("kt", "peratomtypepair", i, j);
+    // damping per mass, or as it is with absolute_damping on
+    const double absolute = global("gamman_abs", "peratomtypepair", i, j);
+    c.cn = absolute >= 0 ? absolute : mass * global("gamman", "peratomtypepair", i, j);
+    c.ct = absolute >= 0 ? global("gammat_abs", "peratomtypepair", i, j)
+                         : mass * global("gammat", "peratomtypepair", i, j);
+    return c;
+  }
+  const double modulus = clay::effectiveModulus(
+      global("youngsModulus", "peratomtype", i), global("poissonsRatio", "peratomtype", i),
+      global("youngsModulus", "peratomtype", j), global("poissonsRatio", "peratomtype", j));
+  return clay::hookeCoefficients(radius, mass, modulus, global("characteristicVelocity", "scalar"),
+                                 global("coefficientRestitution", "peratomtypepair", i, j));
+}
+
+/* ---------------------------------------------------------------------- */
+
+double LAMMPS_NS::resting_step_limit(LAMMPS *lmp, std::string *which)
+{
+  double limit = infinity;
+  const ContactModel model(lmp);
+  if (!model.known()) return limit;
+  const std::vector<FixWallGran *> walls = primitive_walls(lmp);
+
+  for (int f = 0; f < lmp->modify->nfix; f++) {
+    const FixTemplateClay *t = dynamic_cast<FixTemplateClay *>(lmp->modify->fix[f]);
+    if (!t) continue;
+    std::vector<Eigen::Vector3d> centres;
+    std::vector<double> radii;
+    double radius = 0;
+    for (const auto &s : t->clump()) {
+      centres.push_back(s.x);
+      radii.push_back(s.r);
+      radius = std::max(radius, s.r);
+    }
+    const int type = t->types().first;
+    const int wall = walls.empty() ? type : walls[0]->atom_type_wall();
+    const auto contacts = clay::restingContacts(centres, radii, model.between(type, wall, t->mass(), radius),
+                                                model.between(type, type, 0.5 * t->mass(), 0.5 * radius));
+    const double step = clay::stableStep(t->mass(), t->density() * t->geometry().inertia, contacts);
+    if (step < limit) {
+      limit = step;
+      if (which) *which = t->id;
+    }
+  }
+  return limit;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double LAMMPS_NS::present_step_limit(LAMMPS *lmp, int *contacts)
+{
+  const ContactModel model(lmp);
+  PairGran *gran = granular(lmp);
+  if (contacts) *contacts = 0;
+  if (!model.known() || !gran || !gran->list) return infinity;
+
+  Atom &atom = *lmp->atom;
+  FixMultisphere *ms = static_cast<FixMultisphere *>(lmp->modify->find_fix_style("multisphere", 0));
+
+  // of each body: centre of mass, mass, least moment of inertia; from its owner
+  const int nbody = ms ? ms->tag_max_body() + 1 : 0;
+  enum { CENTRE = 0, MASS = 3, INERTIA = 4, WIDTH = 5 };
+  std::vector<double> body(WIDTH * nbody, 0.0);
+  if (ms) {
+    VectorContainer<double,3> *moments = ms->data().prop().getElementProperty<VectorContainer<double,3> >("inertia");
+    for (int b = 0; b < ms->n_body(); b++) {
+      double *kept = &body[WIDTH * ms->data().tag(b)];
+      ms->data().xcm(kept, b);
+      kept[MASS] = ms->data().mass(b);
+      kept[INERTIA] = *std::min_element(moments->begin()[b], moments->begin()[b] + 3);
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, body.data(), body.size(), MPI_DOUBLE, MPI_SUM, lmp->world);
+
+  // sums of the contacts of each body, and at once of each free sphere
+  enum { K = 0, C = 1, COUNT = 2, SUMS = 3 };
+  std::vector<double> sums(SUMS * nbody, 0.0), free(SUMS * atom.nlocal, 0.0);
+  const auto add = [&](int i, const double *at, const clay::ContactCoefficients &c, bool fixed) {
+    if (i >= atom.nlocal) return;
+    const int b = ms ? ms->belongs_to(i) : -1;
+    double arm2 = 0, m = atom.rmass[i], inertia = 0.4 * m * atom.radius[i] * atom.radius[i];
+    const double *centre = atom.x[i];
+    if (b >= 0) {
+      centre = &body[WIDTH * b];
+      m = body[WIDTH * b + MASS];
+      inertia = body[WIDTH * b + INERTIA];
+    }
+    for (int d = 0; d < 3; d++) arm2 += (at[d] - centre[d]) * (at[d] - centre[d]);
+    const double share = (fixed ? 1 : 2) * (1 / m + arm2 / inertia);
+    double *s = b >= 0 ? &sums[SUMS * b] : &free[SUMS * i];
+    s[K] += share * std::max(c.kn, c.kt);
+    s[C] += share * std::max(c.cn, c.ct);
+    s[COUNT] += 1;
+  };
+
+  const NeighList *list = gran->list;
+  for (int a = 0; a < list->inum; a++) {
+    const int i = list->ilist[a];
+    for (int n = 0; n < list->numneigh[i]; n++) {
+      const int j = list->firstneigh[i][n] & NEIGHMASK;
+      const double reach = atom.radius[i] + atom.radius[j];
+      double r2 = 0, at[3];
+      for (int d = 0; d < 3; d++) {
+        const double apart = atom.x[j][d] - atom.x[i][d];
+        r2 += apart * apart;
+        at[d] = atom.x[i][d] + apart * atom.radius[i] / reach;
+      }
+      if (r2 >= reach * reach) continue;
+      const auto c = model.between(atom.type[i], atom.type[j],
+                                   atom.rmass[i] * atom.rmass[j] / (atom.rmass[i] + atom.rmass[j]),
+                                   atom.radius[i] * atom.radius[j] / reach);
+      add(i, at, c, false);
+      add(j, at, c, false);
+    }
+  }
+  for (FixWallGran *w : primitive_walls(lmp))
+    for (int i = 0; i < atom.nlocal; i++) {
+      double to_wall[3] = {0, 0, 0};
+      if (w->primitiveWall()->resolveContact(atom.x[i], atom.radius[i], to_wall) >= 0) continue;
+      double at[3];
+      for (int d = 0; d < 3; d++) at[d] = atom.x[i][d] + to_wall[d];
+      add(i, at, model.between(atom.type[i], w->atom_type_wall(), atom.rmass[i], atom.radius[i]), true);
+    }
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM, lmp->world);
+
+  struct { double step; int contacts; } mine = { infinity, 0 }, least;
+  const auto look = [&mine](const std::vector<double> &all) {
+    for (std::size_t s = 0; s < all.size(); s += SUMS) {
+      const double step = clay::oscillatorStep(all[s + K], all[s + C]);
+      if (step < mine.step) { mine.step = step; mine.contacts = static_cast<int>(all[s + COUNT]); }
+    }
+  };
+  look(sums);
+  look(free);
+  MPI_Allreduce(&mine, &least, 1, MPI_DOUBLE_INT, MPI_MINLOC, lmp->world);
+  if (contacts) *contacts = least.contacts;
+  return least.step;
+}

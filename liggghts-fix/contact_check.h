@@ -1,0 +1,45 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file contact_check.h
+/// The largest stable DEM step of a LIGGGHTS run, from its contact model.
+#ifndef LMP_CONTACT_CHECK_H
+#define LMP_CONTACT_CHECK_H
+
+#include <string>
+
+#include "contact_limit.h"
+
+namespace LAMMPS_NS {
+
+class LAMMPS;
+
+/// The granular pair style's normal model and its coefficients.
+class ContactModel {
+ public:
+  explicit ContactModel(LAMMPS *lmp);
+
+  /// False when the model is neither hooke nor hooke/stiffness.
+  bool known() const { return known_; }
+
+  /// Coefficients for two atom types, effective mass [kg] and radius [m].
+  clay::ContactCoefficients between(int itype, int jtype, double mass, double radius) const;
+
+ private:
+  double global(const char *name, const char *kind, int i = 0, int j = 0) const;
+
+  LAMMPS *lmp_;
+  bool known_, stiffness_;
+};
+
+/// Largest stable step [s] for a clump of any clay template that lies in the
+/// foot of a column with the like of itself on top; infinite without such
+/// templates or with another contact model. `which` names the template.
+/// To be called after init, on all processors.
+double resting_step_limit(LAMMPS *lmp, std::string *which = nullptr);
+
+/// Largest stable step [s] by the contacts there are now, a safe bound; and
+/// the number of contacts of the body it is due to. On all processors.
+double present_step_limit(LAMMPS *lmp, int *contacts = nullptr);
+
+}
+
+#endif

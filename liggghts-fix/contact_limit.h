@@ -1,0 +1,74 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file contact_limit.h
+/// The largest time step with which a body in several contacts stays stable.
+///
+/// LIGGGHTS's step is x' = x + dt v', v' = v + dt f/m with the damping taken at
+/// the old half-step velocity. For one spring k and dashpot c it is stable while
+/// k dt2/(4 m) + c dt/(2 m) < 1; for a body in many contacts while the largest
+/// eigenvalue of M^-1 (dt2 K/4 + dt C/2) is below 1, K and C being the 6 x 6
+/// stiffness and damping of all its contacts.
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+namespace clay {
+
+/// Spring and dashpot of one contact.
+struct ContactCoefficients {
+  double kn = 0, kt = 0;  ///< normal and tangential stiffness [N/m]
+  double cn = 0, ct = 0;  ///< normal and tangential damping [kg/s]
+};
+
+/// A contact of a body.
+struct BodyContact {
+  Eigen::Vector3d arm;     ///< from the centre of mass to the contact [m]
+  Eigen::Vector3d normal;  ///< unit vector
+  ContactCoefficients coefficients;
+  bool fixed = true;       ///< with a wall; else with another body that moves as well
+};
+
+/// Step [s] at which the body, with all these contacts closed and sticking,
+/// becomes unstable. inertia [kg m2] is about the centre of mass. A contact
+/// with another body counts twice, as both can move against each other.
+double stableStep(double mass, const Eigen::Matrix3d& inertia,
+                  const std::vector<BodyContact>& contacts);
+
+/// A bound of the same, never above it, from sums that cost next to nothing
+/// while running: every contact as if at its worst direction.
+class ContactSum {
+ public:
+  /// leastInertia [kg m2] is the body's smallest principal moment.
+  ContactSum(double mass, double leastInertia) : mass_(mass), inertia_(leastInertia) {}
+  /// arm2: square of the distance from the centre of mass to the contact [m2].
+  void add(double arm2, const ContactCoefficients& c, bool fixed);
+  /// Step [s]; infinite without contacts.
+  double step() const;
+  int contacts() const { return contacts_; }
+
+ private:
+  double mass_, inertia_, k_ = 0, c_ = 0;
+  int contacts_ = 0;
+};
+
+/// k dt2/4 + c dt/2 = 1 solved for dt; k [1/s2] and c [1/s] are per mass.
+double oscillatorStep(double k, double c);
+
+/// Coefficients of LIGGGHTS's model hooke for an effective radius [m] and mass
+/// [kg], effective modulus [Pa], characteristic velocity [m/s], restitution.
+ContactCoefficients hookeCoefficients(double radius, double mass, double modulus,
+                                      double velocity, double restitution);
+
+/// Effective modulus [Pa] of two materials from Young's moduli and Poisson's ratios.
+double effectiveModulus(double youngs1, double poisson1, double youngs2, double poisson2);
+
+/// Contacts of a clump (spheres about its centre of mass) that lies on a floor
+/// with a wall at its side and as many contacts from above as from below: what
+/// a plate at the foot of a column meets. The directions are those in which
+/// most spheres touch.
+std::vector<BodyContact> restingContacts(const std::vector<Eigen::Vector3d>& centres,
+                                         const std::vector<double>& radii,
+                                         const ContactCoefficients& withWall,
+                                         const ContactCoefficients& withBody);
+
+}  // namespace clay

@@ -1,0 +1,47 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file coupling_report.h
+/// What the DEM half tells of a coupled run: the progress line and dem.json.
+#ifndef LMP_COUPLING_REPORT_H
+#define LMP_COUPLING_REPORT_H
+
+#include <string>
+#include <vector>
+
+#include "pointers.h"
+
+namespace clay { class DemSession; }
+
+namespace LAMMPS_NS {
+
+class CouplingReport : protected Pointers {
+ public:
+  /// file: where dem.json goes, empty for nowhere; seconds: wall time between
+  /// two progress lines, 0 for none.
+  CouplingReport(class LAMMPS *lmp, const std::string &file, double seconds);
+
+  /// Marks the start of a run.
+  void start();
+  /// After each exchange: takes the measures, prints the line when it is due.
+  void exchange(const clay::DemSession &session, bool last);
+  /// Marks the end of a run and writes dem.json.
+  void finish(const clay::DemSession &session, int interval);
+
+  /// A warning for the screen, the log and dem.json.
+  void warn(const std::string &text);
+
+ private:
+  double max_overlap();
+  void line(const clay::DemSession &session);
+
+  std::string file_;
+  double seconds_;
+  bool counted_;
+  double began_, last_line_, wall_, output_;
+  long steps_, particles_;
+  double start_time_, overlap_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif

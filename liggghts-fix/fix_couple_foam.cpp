@@ -1,0 +1,472 @@
+/* ----------------------------------------------------------------------
+   This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "fix_couple_foam.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "atom.h"
+#include "body_drag.h"
+#include "comm.h"
+#include "coupling_report.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_gravity.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "session.h"
+#include "universe.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using clay::Field;
+
+/* ---------------------------------------------------------------------- */
+
+FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
+  Fix(lmp, narg, arg),
+  interval_(0), dt_(0.), idle_(false), pending_(false), check_limit_(true),
+  bodies_(NULL), fluid_(NULL)
+{
+  parse(narg,arg);
+  given_[0] = given_[1] = given_[2] = 0.;
+
+  nevery = 1;
+  time_depend = 1;
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixCoupleFoam::~FixCoupleFoam()
+{
+  if (session_) session_->close();
+  atom->delete_callback(id,0);
+  memory->destroy(fluid_);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::parse(int narg, char **arg)
+{
+  std::string stats;
+  double seconds = 1.0;
+
+  int iarg = 3;
+  while (iarg < narg) {
+    if (iarg+2 > narg)
+      error->all(FLERR,(std::string("Fix couple/foam: keyword '") + arg[iarg] +
+                        "' needs a value").c_str());
+    const std::string key = arg[iarg], value = arg[iarg+1];
+    if (key == "every") interval_ = force->inumeric(FLERR,arg[iarg+1]);
+    else if (key == "stats") stats = value;
+    else if (key == "progress") seconds = force->numeric(FLERR,arg[iarg+1]);
+    else if (key == "contact_limit") {
+      if (value != "yes" && value != "no")
+        error->all(FLERR,("Fix couple/foam: contact_limit is '" + value +
+                          "'; yes or no is wanted").c_str());
+      check_limit_ = value == "yes";
+    } else
+      error->all(FLERR,("Fix couple/foam: unknown keyword '" + key + "'; known are "
+                        "every, stats, progress, contact_limit").c_str());
+    iarg += 2;
+  }
+  if (interval_ < 1)
+    error->all(FLERR,"Fix couple/foam: 'every N' is missing or below 1; "
+                     "N is the number of DEM steps between two exchanges");
+  report_.reset(new CouplingReport(lmp,stats,seconds));
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixCoupleFoam::setmask()
+{
+  return PRE_EXCHANGE | PRE_FORCE | POST_FORCE | END_OF_STEP;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::post_create()
+{
+  if (modify->n_fixes_style("couple/foam") > 1)
+    error->all(FLERR,"Fix couple/foam: there is one already; one fix couples all particles");
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::init()
+{
+  if (!atom->rmass_flag || !atom->radius_flag)
+    error->all(FLERR,"Fix couple/foam: needs radius and mass per particle, "
+                     "as atom_style granular has them");
+
+  Fix *ms = modify->find_fix_style("multisphere",0);
+  bodies_ = dynamic_cast<FixMultisphereClump*>(ms);
+  if (ms && !bodies_)
+    error->all(FLERR,(std::string("Fix couple/foam: clumps need 'fix multisphere/clump'; the script has 'fix ") +
+                      ms->style + "'").c_str());
+  if (bodies_) bodies_->couple();
+
+  check_order();
+}
+
+/* ----------------------------------------------------------------------
+   the drag of free spheres is implicit: all other forces must be known
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::check_order()
+{
+  int mine = modify->find_fix(id);
+  for (int i = mine + 1; i < modify->nfix; i++) {
+    Fix *other = modify->fix[i];
+    if ((other->setmask() & POST_FORCE) && !strstr(other->style,"property/") &&
+        (!strncmp(other->style,"gravity",7) || !strncmp(other->style,"addforce",8) ||
+         !strncmp(other->style,"wall/",5) || !strncmp(other->style,"spring",6)))
+      error->all(FLERR,(std::string("Fix couple/foam: must stand below 'fix ") + other->id + " " +
+                        other->style + "' in the script, since the drag needs its force").c_str());
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::check_interval()
+{
+  const bigint steps = update->laststep - update->firststep;
+  if (steps % interval_) {
+    char text[256];
+    snprintf(text,sizeof text,
+             "Fix couple/foam: run of " BIGINT_FORMAT " steps is no multiple of the coupling interval "
+             "'every %d'; " BIGINT_FORMAT " or " BIGINT_FORMAT " steps would be",
+             steps,interval_,steps/interval_*interval_,(steps/interval_ + 1)*interval_);
+    error->all(FLERR,text);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+clay::DemTerms FixCoupleFoam::terms()
+{
+  clay::DemTerms t;
+  t.program = universe->version;
+  t.step = update->dt;
+  t.interval = interval_;
+  t.startTime = update->get_cur_time();
+  t.endTime = t.startTime + (update->laststep - update->firststep)*update->dt;
+
+  FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
+  t.hasGravity = gravity != NULL;
+  if (gravity) gravity->get_gravity(t.gravity.data());
+
+  for (int k = 0; k < 3; k++) {
+    t.box.lo[k] = domain->boxlo[k];
+    t.box.hi[k] = domain->boxhi[k];
+  }
+
+  double radius = 0., all;
+  bigint n = 0, nall;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) {
+      radius = std::max(radius,atom->radius[i]);
+      n++;
+    }
+  MPI_Allreduce(&radius,&all,1,MPI_DOUBLE,MPI_MAX,world);
+  MPI_Allreduce(&n,&nall,1,MPI_LMP_BIGINT,MPI_SUM,world);
+  t.maxRadius = all;
+  t.particles = nall;
+
+  t.offers = {Field::position, Field::radius, Field::volume, Field::velocity, Field::tag,
+              Field::body, Field::impulse, Field::mass};
+  t.needs = {Field::dragCoefficient, Field::fluidVelocity};
+  return t;
+}
+
+/* ----------------------------------------------------------------------
+   handshake, at the first run; a further run goes on from there
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::open()
+{
+  dt_ = update->dt;
+  check_interval();
+  if (check_limit_) check_contact_limit();
+  try {
+    const clay::DemTerms mine = terms();
+    if (session_) session_->resume(mine);
+    else session_.reset(new clay::DemSession(mine));
+  } catch (clay::Refusal &refusal) {
+    error->all(FLERR,refusal.what());
+  }
+  sent_ = clay::Particles(session_->sends());
+  answer_ = clay::Particles(session_->receives());
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::setup_pre_force(int)
+{
+  idle_ = update->laststep == update->firststep;
+  if (idle_) return;
+  report_->start();
+  open();
+  send(false);
+  take_answer();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::setup(int)
+{
+  if (!idle_) apply(true);
+}
+
+/* ----------------------------------------------------------------------
+   particles are about to change places: the answer must be in before
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::pre_exchange()
+{
+  if (pending_) take_answer();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::post_force(int)
+{
+  if (idle_) return;
+  if (pending_) take_answer();
+  apply(false);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::end_of_step()
+{
+  if (idle_ || (update->ntimestep - update->firststep) % interval_) return;
+  if (update->dt != dt_) {
+    char text[192];
+    snprintf(text,sizeof text,"Fix couple/foam: the timestep changed from %g to %g s within a run; "
+             "change it between two runs",dt_,update->dt);
+    error->all(FLERR,text);
+  }
+  send(update->ntimestep == update->laststep);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::post_run()
+{
+  if (idle_) return;
+  if (pending_) take_answer();
+  report_->finish(*session_,interval_);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool FixCoupleFoam::free_sphere(int i) const
+{
+  return (atom->mask[i] & groupbit) && !(bodies_ && bodies_->belongs_to(i) >= 0);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::send(bool last)
+{
+  gather();
+  check_finite();
+  session_->send(sent_,update->get_cur_time(),last,{{given_[0],given_[1],given_[2]}});
+  pending_ = true;
+  report_->exchange(*session_,last);
+}
+
+/* ----------------------------------------------------------------------
+   free spheres first, then the spheres of the bodies owned here
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::gather()
+{
+  const int nlocal = atom->nlocal;
+  const double third = 4./3.*M_PI;
+
+  spheres_.clear();
+  if (bodies_) bodies_->spheres(spheres_);
+
+  int nfree = 0;
+  for (int i = 0; i < nlocal; i++)
+    fluid_[i][SLOT] = free_sphere(i) ? nfree++ : -1;
+
+  sent_.resize(nfree + spheres_.size());
+  const clay::FieldSet fields = sent_.fields();
+
+  auto put = [&](int slot, int i, double volume, double mass, double body, const double *impulse) {
+    if (fields.has(Field::position)) {
+      double *x = sent_[Field::position] + 3*slot;
+      std::copy(atom->x[i],atom->x[i] + 3,x);
+      if (domain->xperiodic || domain->yperiodic || domain->zperiodic) domain->remap(x);
+    }
+    if (fields.has(Field::velocity))
+      std::copy(atom->v[i],atom->v[i] + 3,sent_[Field::velocity] + 3*slot);
+    if (fields.has(Field::radius)) sent_[Field::radius][slot] = atom->radius[i];
+    if (fields.has(Field::volume)) sent_[Field::volume][slot] = volume;
+    if (fields.has(Field::mass)) sent_[Field::mass][slot] = mass;
+    if (fields.has(Field::tag)) sent_[Field::tag][slot] = atom->tag[i];
+    if (fields.has(Field::body)) sent_[Field::body][slot] = body;
+    if (fields.has(Field::impulse))
+      std::copy(impulse,impulse + 3,sent_[Field::impulse] + 3*slot);
+  };
+
+  for (int i = 0; i < nlocal; i++) {
+    const int slot = fluid_[i][SLOT];
+    if (slot < 0) continue;
+    const double r = atom->radius[i];
+    double *impulse = fluid_[i] + IMPULSE;
+    put(slot,i,third*r*r*r,atom->rmass[i],-1.,impulse);
+    for (int k = 0; k < 3; k++) {
+      given_[k] += impulse[k];
+      impulse[k] = 0.;
+    }
+  }
+
+  // a body's impulse is shared out by volume
+  std::vector<double> impulse, total;
+  if (!spheres_.empty()) {
+    const int nbody = bodies_->n_body();
+    impulse.resize(3*nbody);
+    total.assign(nbody,0.);
+    for (int b = 0; b < nbody; b++) {
+      bodies_->take_impulse(b,&impulse[3*b]);
+      for (int k = 0; k < 3; k++) given_[k] += impulse[3*b+k];
+    }
+    for (const auto &s : spheres_) total[s.body] += s.fraction;
+  }
+  int slot = nfree;
+  for (const auto &s : spheres_) {
+    const double share = s.fraction/total[s.body];
+    double part[3];
+    for (int k = 0; k < 3; k++) part[k] = share*impulse[3*s.body+k];
+    put(slot++,s.atom,share*bodies_->body_volume(s.body),share*bodies_->body_mass(s.body),
+        bodies_->data().tag(s.body),part);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::check_finite()
+{
+  if (!sent_.fields().has(Field::position) || !sent_.fields().has(Field::velocity)) return;
+  const double *x = sent_[Field::position], *v = sent_[Field::velocity];
+  for (int i = 0; i < 3*sent_.size(); i++)
+    if (!std::isfinite(x[i]) || !std::isfinite(v[i])) {
+      const int slot = i/3;
+      char text[256];
+      snprintf(text,sizeof text,"Fix couple/foam: particle %d has position (%g %g %g), velocity (%g %g %g) "
+               "at step " BIGINT_FORMAT "; it went wrong in the last %d steps",
+               sent_.fields().has(Field::tag) ? (int) sent_[Field::tag][slot] : slot,
+               x[3*slot],x[3*slot+1],x[3*slot+2],v[3*slot],v[3*slot+1],v[3*slot+2],
+               update->ntimestep,interval_);
+      error->one(FLERR,text);
+    }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::take_answer()
+{
+  session_->receive(answer_);
+  pending_ = false;
+
+  const bool loaded = answer_.fields().has(Field::force);
+  const double *K = answer_[Field::dragCoefficient];
+  const double *u = answer_[Field::fluidVelocity];
+  const double *f = loaded ? answer_[Field::force] : NULL;
+  const double none[3] = {0.,0.,0.};
+
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int slot = fluid_[i][SLOT];
+    if (slot < 0) continue;
+    fluid_[i][DRAG] = K[slot];
+    for (int k = 0; k < 3; k++) {
+      fluid_[i][VELOCITY+k] = u[3*slot+k];
+      fluid_[i][LOAD+k] = loaded ? f[3*slot+k] : 0.;
+    }
+  }
+
+  if (spheres_.empty()) return;
+  std::vector<BodyDrag> drag(bodies_->n_body());
+  int slot = sent_.size() - spheres_.size();
+  for (const auto &s : spheres_) {
+    drag[s.body].add_sphere(s.r,K[slot],u + 3*slot,loaded ? f + 3*slot : none);
+    slot++;
+  }
+  for (size_t b = 0; b < drag.size(); b++) bodies_->set_drag(b,drag[b]);
+}
+
+/* ----------------------------------------------------------------------
+   free spheres; bodies get theirs in fix multisphere/clump.
+   A force of step n acts over [n-1/2, n+1/2], and v is that of n-1/2.
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::apply(bool setupflag)
+{
+  const double dt = update->dt;
+  double **v = atom->v;
+  double **f = atom->f;
+
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!free_sphere(i)) continue;
+    double *s = fluid_[i];
+    const double a = s[DRAG]*dt/atom->rmass[i];
+    const double phi = relaxation_factor(a);
+    for (int k = 0; k < 3; k++) {
+      const double load = s[LOAD+k];
+      const double drag = phi*s[DRAG]*(s[VELOCITY+k] - v[i][k]) + (phi - 1.)*(f[i][k] + load);
+      const double force = load + drag;
+      if (!setupflag) s[IMPULSE+k] += 0.5*dt*(s[FORCE+k] + force);
+      s[FORCE+k] = force;
+      f[i][k] += force;
+    }
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixCoupleFoam::memory_usage()
+{
+  return atom->nmax*SIZE*sizeof(double);
+}
+
+void FixCoupleFoam::grow_arrays(int nmax)
+{
+  memory->grow(fluid_,nmax,(int) SIZE,"couple/foam:fluid");
+}
+
+void FixCoupleFoam::copy_arrays(int i, int j, int)
+{
+  std::copy(fluid_[i],fluid_[i] + SIZE,fluid_[j]);
+}
+
+void FixCoupleFoam::set_arrays(int i)
+{
+  std::fill(fluid_[i],fluid_[i] + SIZE,0.);
+  fluid_[i][SLOT] = -1;
+}
+
+int FixCoupleFoam::pack_exchange(int i, double *buf)
+{
+  std::copy(fluid_[i],fluid_[i] + SIZE,buf);
+  return SIZE;
+}
+
+int FixCoupleFoam::unpack_exchange(int nlocal, double *buf)
+{
+  std::copy(buf,buf + SIZE,fluid_[nlocal]);
+  return SIZE;
+}
+
+void FixCoupleFoam::check_contact_limit() {}

@@ -1,0 +1,87 @@
+/* ----------------------------------------------------------------------
+   This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+   fix ID group couple/foam every N ...: couples this run to a CFD half in
+   the same mpirun. Described in doc/fix_couple_foam.md.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+
+FixStyle(couple/foam,FixCoupleFoam)
+
+#else
+
+#ifndef LMP_FIX_COUPLE_FOAM_H
+#define LMP_FIX_COUPLE_FOAM_H
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fields.h"
+#include "fix.h"
+#include "fix_multisphere_clump.h"
+
+namespace clay { class DemSession; struct DemTerms; }
+
+namespace LAMMPS_NS {
+
+class CouplingReport;
+
+class FixCoupleFoam : public Fix {
+ public:
+  FixCoupleFoam(class LAMMPS *, int, char **);
+  ~FixCoupleFoam();
+  int setmask();
+  void post_create();
+  void init();
+  void setup_pre_force(int);
+  void setup(int);
+  void pre_exchange();
+  void post_force(int);
+  void end_of_step();
+  void post_run();
+
+  double memory_usage();
+  void grow_arrays(int);
+  void copy_arrays(int, int, int);
+  void set_arrays(int);
+  int pack_exchange(int, double *);
+  int unpack_exchange(int, double *);
+
+ private:
+  // what is kept of the fluid, per free sphere
+  enum { DRAG = 0, VELOCITY = 1, LOAD = 4, FORCE = 7, IMPULSE = 10, SLOT = 13, SIZE = 14 };
+
+  void parse(int, char **);
+  void check_interval();
+  void check_order();
+  void check_contact_limit();
+  clay::DemTerms terms();
+  void open();
+  void send(bool last);
+  void take_answer();
+  void gather();
+  void check_finite();
+  void apply(bool setupflag);
+  bool free_sphere(int i) const;
+
+  int interval_;                 // DEM steps between two exchanges
+  double dt_;                    // DEM step at the start of the run [s]
+  bool idle_;                    // a run of no steps
+  bool pending_;                 // an answer is still to come
+  bool check_limit_;             // refuse a step above the contact limit
+  FixMultisphereClump *bodies_;  // null without clumps
+  double **fluid_;               // per-atom store
+  double given_[3];              // impulse given to this rank's particles [N s]
+
+  std::unique_ptr<clay::DemSession> session_;
+  clay::Particles sent_, answer_;
+  std::vector<FixMultisphereClump::Sphere> spheres_;
+  std::unique_ptr<CouplingReport> report_;
+};
+
+}
+
+#endif
+#endif

@@ -1,0 +1,266 @@
+/* ----------------------------------------------------------------------
+   This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+------------------------------------------------------------------------- */
+
+#include "fix_settling_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_multisphere.h"
+#include "fix_property_atom.h"
+#include "fix_wall_gran.h"
+#include "force.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "pair.h"
+#include "primitive_wall.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+/* ---------------------------------------------------------------------- */
+
+FixSettlingCurve::FixSettlingCurve(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg),
+  file_(NULL), scale_(9.49e5), quantile_(0.98), bed_fraction_(0.2), area_(0.0), bottom_(0.0),
+  area_given_(false), bottom_given_(false), multisphere_(NULL), diameter_(0.0),
+  measured_(-1), written_(-1), interface_(0.0), bed_(0.0), mean_(0.0), overlap_(0.0), volume_(0.0)
+{
+  if (narg < 4) error->fix_error(FLERR, this, "the number of steps between two rows is missing");
+  nevery = atoi(arg[3]);
+  char text[256];
+  if (nevery < 1) {
+    snprintf(text, sizeof text, "'%s' steps between two rows: a whole number of 1 or more is needed", arg[3]);
+    error->fix_error(FLERR, this, text);
+  }
+
+  bool append = false;
+  for (int iarg = 4; iarg < narg; iarg++) {
+    if (strcmp(arg[iarg],"file") == 0 || strcmp(arg[iarg],"append") == 0) {
+      append = arg[iarg][0] == 'a';
+      if (iarg+1 >= narg) error->fix_error(FLERR, this, "the file's name is missing");
+      name_ = arg[++iarg];
+    }
+    else if (strcmp(arg[iarg],"scale") == 0) scale_ = number(iarg, narg, arg);
+    else if (strcmp(arg[iarg],"quantile") == 0) {
+      quantile_ = number(iarg, narg, arg);
+      if (quantile_ <= 0.1 || quantile_ > 1.0) {
+        snprintf(text, sizeof text, "quantile is %s: it must be above 0.1 and at most 1", arg[iarg]);
+        error->fix_error(FLERR, this, text);
+      }
+    }
+    else if (strcmp(arg[iarg],"bed_fraction") == 0) {
+      bed_fraction_ = number(iarg, narg, arg);
+      if (bed_fraction_ >= 1.0) {
+        snprintf(text, sizeof text, "bed_fraction is %s: a solid fraction below 1 is needed", arg[iarg]);
+        error->fix_error(FLERR, this, text);
+      }
+    }
+    else if (strcmp(arg[iarg],"area") == 0) { area_ = number(iarg, narg, arg); area_given_ = true; }
+    else if (strcmp(arg[iarg],"bottom") == 0) {
+      if (iarg+1 >= narg) error->fix_error(FLERR, this, "the height after 'bottom' is missing");
+      bottom_ = force->numeric(FLERR, arg[++iarg]);
+      bottom_given_ = true;
+    }
+    else {
+      snprintf(text, sizeof text, "unknown keyword '%s': file, append, scale, quantile, bed_fraction, "
+               "area and bottom are known", arg[iarg]);
+      error->fix_error(FLERR, this, text);
+    }
+  }
+  if (name_.empty()) error->fix_error(FLERR, this, "'file' is missing: the name of the curve's file");
+
+  int opened = 1;
+  if (comm->me == 0) {
+    file_ = fopen(name_.c_str(), append ? "a" : "w");
+    opened = file_ != NULL;
+    if (opened && (!append || ftell(file_) == 0)) {
+      fprintf(file_, "time_s,time_days,interface_m,bed_m,mean_height_m\n");
+      fflush(file_);
+    }
+  }
+  MPI_Bcast(&opened, 1, MPI_INT, 0, world);
+  if (!opened) error->fix_error(FLERR, this, ("cannot write file " + name_).c_str());
+
+  vector_flag = 1;
+  size_vector = 5;
+  global_freq = 1;
+  extvector = 0;
+}
+
+FixSettlingCurve::~FixSettlingCurve()
+{
+  if (file_) fclose(file_);
+}
+
+double FixSettlingCurve::number(int &iarg, int narg, char **arg)
+{
+  const char *key = arg[iarg];
+  char text[256];
+  if (iarg+1 >= narg) {
+    snprintf(text, sizeof text, "the value of '%s' is missing", key);
+    error->fix_error(FLERR, this, text);
+  }
+  const double v = force->numeric(FLERR, arg[++iarg]);
+  if (!(v > 0.0)) {
+    snprintf(text, sizeof text, "%s is %s: it must be greater than 0", key, arg[iarg]);
+    error->fix_error(FLERR, this, text);
+  }
+  return v;
+}
+
+int FixSettlingCurve::setmask() { return END_OF_STEP; }
+
+/* ---------------------------------------------------------------------- */
+
+void FixSettlingCurve::init()
+{
+  if (!atom->radius_flag || !atom->rmass_flag)
+    error->fix_error(FLERR, this, "needs spheres: atom_style sphere or granular");
+  if (modify->n_fixes_style("multisphere") > 1)
+    error->fix_error(FLERR, this, "at most one fix multisphere");
+  multisphere_ = static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0));
+
+  double largest = 0.0, smallest = 0.0, mine = 0.0, all = 0.0;
+  modify->max_min_rad(largest, smallest);
+  for (int i = 0; i < atom->nlocal; i++) mine = std::max(mine, atom->radius[i]);
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  diameter_ = 2.0*std::max(largest, all);
+
+  find_column();
+  const double thickness = diameter_ > 0.0 ? diameter_/8.0 : domain->zprd/1000.0;
+  profile_.reset(new clay::SettlingProfile(bottom_, domain->boxhi[2], thickness));
+  measured_ = -1;
+}
+
+/* ----------------------------------------------------------------------
+   cross-section and floor, from the column's own walls if it has any
+------------------------------------------------------------------------- */
+
+void FixSettlingCurve::find_column()
+{
+  if (!area_given_) area_ = domain->xprd*domain->yprd;
+  if (!bottom_given_) bottom_ = domain->boxlo[2];
+
+  double floor = domain->boxhi[2];
+  for (int i = 0; i < modify->n_fixes_style("wall/gran"); i++) {
+    FixWallGran *wall = dynamic_cast<FixWallGran *>(modify->find_fix_style("wall/gran", i));
+    if (!wall || wall->is_mesh_wall() || !wall->primitiveWall()) continue;
+    PrimitiveWall *primitive = wall->primitiveWall();
+    double to_wall[3] = {0.0, 0.0, 0.0}, from_axis[3];
+    if (primitive->axis() == 2) {
+      double inside[3] = { domain->boxlo[0] + 0.5123*domain->xprd, domain->boxlo[1] + 0.4871*domain->yprd, 0.0 };
+      const double r = primitive->calcRadialDistance(inside, from_axis);
+      const double radius = r + primitive->resolveContact(inside, 0.0, to_wall);
+      if (!area_given_) area_ = M_PI*radius*radius;
+    } else if (primitive->axis() < 0) {
+      double middle[3];
+      for (int d = 0; d < 3; d++) middle[d] = 0.5*(domain->boxlo[d] + domain->boxhi[d]);
+      primitive->resolveContact(middle, 0.0, to_wall);
+      if (to_wall[0] == 0.0 && to_wall[1] == 0.0) floor = std::min(floor, middle[2] + to_wall[2]);
+    }
+  }
+  if (!bottom_given_ && floor < 0.5*(domain->boxlo[2] + domain->boxhi[2])) bottom_ = floor;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixSettlingCurve::sphere_volume(int i) const
+{
+  if (multisphere_ && multisphere_->belongs_to(i) >= 0 && multisphere_->get_volumeweight())
+    return multisphere_->get_volumeweight()->vector_atom[i]*atom->rmass[i]/atom->density[i];
+  const double r = atom->radius[i];
+  return 4.0/3.0*M_PI*r*r*r;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixSettlingCurve::setup(int)
+{
+  if (update->ntimestep % nevery == 0) end_of_step();
+}
+
+void FixSettlingCurve::end_of_step()
+{
+  measure();
+  write_row();
+}
+
+void FixSettlingCurve::measure()
+{
+  measured_ = update->ntimestep;
+  profile_->clear();
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) profile_->add(atom->x[i][2], atom->radius[i], sphere_volume(i));
+  std::vector<double> &sums = profile_->sums();
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM, world);
+
+  volume_ = profile_->volume();
+  const bool solids = volume_ > 0.0;
+  interface_ = solids ? profile_->interface(quantile_, 0.5*diameter_) - bottom_ : 0.0;
+  bed_ = solids ? profile_->bed(area_, bed_fraction_, 2.0*diameter_) - bottom_ : 0.0;
+  mean_ = solids ? profile_->mean() - bottom_ : 0.0;
+}
+
+void FixSettlingCurve::write_row()
+{
+  if (volume_ == 0.0 || written_ == update->ntimestep) return;
+  written_ = update->ntimestep;
+  if (comm->me != 0) return;
+  const double time = update->get_cur_time();
+  fprintf(file_, "%.9g,%.9g,%.9g,%.9g,%.9g\n", time, time*scale_/86400.0, interface_, bed_, mean_);
+  fflush(file_);
+  if (ferror(file_)) error->one(FLERR, ("Fix settling/curve: cannot write to " + name_).c_str());
+}
+
+/* ----------------------------------------------------------------------
+   1 interface, 2 bed, 3 mean height (m), 4 largest overlap of two spheres as
+   part of the largest diameter, 5 volume of the solids (m3)
+------------------------------------------------------------------------- */
+
+double FixSettlingCurve::compute_vector(int n)
+{
+  if (measured_ != update->ntimestep) measure();
+  switch (n) {
+    case 0: return interface_;
+    case 1: return bed_;
+    case 2: return mean_;
+    case 3: return largest_overlap();
+    default: return volume_;
+  }
+}
+
+double FixSettlingCurve::largest_overlap() const
+{
+  double mine = 0.0, all = 0.0;
+  double **x = atom->x;
+  Pair *gran = force->pair ? force->pair_match("gran", 1) : NULL;
+  if (gran && gran->list) {
+    const NeighList *list = gran->list;
+    for (int a = 0; a < list->inum; a++) {
+      const int i = list->ilist[a];
+      for (int b = 0; b < list->numneigh[i]; b++) {
+        const int j = list->firstneigh[i][b] & NEIGHMASK;
+        const double d[3] = { x[i][0]-x[j][0], x[i][1]-x[j][1], x[i][2]-x[j][2] };
+        mine = std::max(mine, atom->radius[i] + atom->radius[j] - std::sqrt(d[0]*d[0]+d[1]*d[1]+d[2]*d[2]));
+      }
+    }
+  }
+  double to_wall[3];
+  for (int k = 0; k < modify->n_fixes_style("wall/gran"); k++) {
+    FixWallGran *wall = dynamic_cast<FixWallGran *>(modify->find_fix_style("wall/gran", k));
+    if (!wall || wall->is_mesh_wall() || !wall->primitiveWall()) continue;
+    for (int i = 0; i < atom->nlocal; i++)
+      mine = std::max(mine, -wall->primitiveWall()->resolveContact(x[i], atom->radius[i], to_wall));
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return diameter_ > 0.0 ? all/diameter_ : 0.0;
+}

@@ -1,0 +1,80 @@
+/* ----------------------------------------------------------------------
+   This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+   pair_style coul/clump cutoff [sharp|shifted] [permittivity eps_r]
+                         [every N [impulse|hold]]
+   Coulomb forces between the charged spheres of different bodies.
+------------------------------------------------------------------------- */
+
+#ifdef PAIR_CLASS
+
+PairStyle(coul/clump,PairCoulClump)
+
+#else
+
+#ifndef LMP_PAIR_COUL_CLUMP_H
+#define LMP_PAIR_COUL_CLUMP_H
+
+#include <vector>
+
+#include "coul_kernel.h"
+#include "pair.h"
+
+namespace LAMMPS_NS {
+
+class PairCoulClump : public Pair {
+ public:
+  PairCoulClump(class LAMMPS *);
+  virtual ~PairCoulClump();
+
+  void compute(int, int);
+  void settings(int, char **);
+  void coeff(int, char **);
+  void init_style();
+  double init_one(int, int);
+  double single(int, int, int, int, double, double, double, double &);
+
+  void write_restart(FILE *);
+  void read_restart(FILE *, const int, const int);
+  void write_restart_settings(FILE *);
+  void read_restart_settings(FILE *, const int, const int);
+  double memory_usage();
+
+  double cutoff() const { return law_.cutoff; }
+  /// Charge of a sphere of an atom type [C].
+  double charge(int type) const { return charge_[type]; }
+  /// Steps between two evaluations.
+  int every() const { return every_; }
+  /// Number of evaluations since the start.
+  bigint evaluations() const { return evaluations_; }
+
+ private:
+  void allocate();
+  void lay_out();
+  void gather();
+  void add_forces(double factor);
+  void tally();
+
+  clay::CoulombLaw law_;
+  double permittivity_;
+  int every_;
+  bool hold_;
+
+  std::vector<double> charge_;   // by type
+  std::vector<char> given_;      // charge was given
+  bool charged_;                 // any charge that is not zero
+
+  class FixMultisphere *multisphere_;
+  clay::ChargeGroups groups_;
+  std::vector<int> order_;             // atoms in the order of the groups
+  std::vector<int> ends_;              // end of each group in order_
+  bigint laid_out_;                    // time step of the last lay_out()
+  int nall_;                           // atoms seen then
+  bigint evaluated_;                   // time step the held forces are of
+  bigint evaluations_;
+};
+
+}
+
+#endif
+#endif

@@ -1,0 +1,132 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "clump_geometry.h"
+#include "contact_check.h"
+#include "host.h"
+
+using test::Host;
+
+namespace {
+
+const double k = 5000, gamma_n = 4000;
+
+std::string stiff()
+{
+  return "fix p1 all property/global kn peratomtypepair 2 5000 5000 5000 5000\n"
+         "fix p2 all property/global kt peratomtypepair 2 5000 5000 5000 5000\n"
+         "fix p3 all property/global gamman peratomtypepair 2 4000 4000 4000 4000\n"
+         "fix p4 all property/global gammat peratomtypepair 2 4000 4000 4000 4000\n"
+         "fix p5 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
+         "pair_style gran model hooke/stiffness tangential history\npair_coeff * *\n";
+}
+
+// two spheres that overlap by 1e-5 m and come together at 0.02 m/s
+std::string pressed()
+{
+  return "create_atoms 1 single 0 0 0 units box\ncreate_atoms 2 single 1.99e-3 0 0 units box\n"
+         "set group all diameter 2e-3\nset group all density 2600\ngroup left type 1\n"
+         "velocity left set 0.02 0 0 units box\nfix nve all nve/sphere\ntimestep 1e-7\nrun 0\n";
+}
+
+// one illite plate, its faces level, that has come to rest on the floor
+std::string resting()
+{
+  return test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.001 0.01") + stiff() +
+         "fix g all gravity 9.81 vector 0 0 -1\n"
+         "fix floor all wall/gran model hooke/stiffness tangential history primitive type 1 zplane 0.0\n"
+         "fix ill all particletemplate/clay illite seed 15485863 type 1 atom_types 1 2 radius 1e-3 density 2600\n"
+         "fix pdd all particledistribution/discrete 32452843 1 ill 1.0\nfix ms all multisphere\n"
+         "region ins block -0.002 0.002 -0.002 0.002 0.0016 0.0026 units box\n"
+         "fix ins all insert/pack seed 49979687 distributiontemplate pdd insert_every once overlapcheck no "
+         "orientation template all_in no vel constant 0 0 0 region ins particles_in_region 1 ntry_mc 10000\n"
+         "timestep 2e-6\nthermo 10000\nrun 12000\n";
+}
+
+double kinetic(Host &host)
+{
+  double e = 0;
+  for (const auto &a : host.atoms()) e += a.v[0]*a.v[0] + a.v[1]*a.v[1] + a.v[2]*a.v[2];
+  return e;
+}
+
+}  // namespace
+
+TEST(ContactCheck, coefficientsAreThoseOfTheHost)
+{
+  for (int stiffness = 0; stiffness < 2; stiffness++) {
+    Host host;
+    host(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") +
+         (stiffness ? stiff() : test::material("coul/clump 0.006") + "pair_coeff * * coul/clump 0.0\n") + pressed());
+    const LAMMPS_NS::ContactModel model(host.lmp.get());
+    ASSERT_TRUE(model.known());
+    const auto a = host.atoms();
+    const double m = a[0].rmass;
+    const auto c = model.between(1, 2, m / 2, 0.5e-3);
+    const double expected = c.kn * 1e-5 + c.cn * 0.02;
+    EXPECT_NEAR(a[1].f[0], expected, 1e-6 * expected);
+    EXPECT_GT(c.cn * 0.02, 1e-3 * expected);
+  }
+}
+
+TEST(ContactCheck, otherModelsAreNotJudged)
+{
+  Host host;
+  host(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") +
+       "fix m1 all property/global youngsModulus peratomtype 5e6 5e6\n"
+       "fix m2 all property/global poissonsRatio peratomtype 0.25 0.25\n"
+       "fix m3 all property/global coefficientRestitution peratomtypepair 2 0.3 0.3 0.3 0.3\n"
+       "fix m4 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
+       "pair_style gran model hertz tangential history\npair_coeff * *\n" + pressed());
+  EXPECT_FALSE(LAMMPS_NS::ContactModel(host.lmp.get()).known());
+  EXPECT_TRUE(std::isinf(LAMMPS_NS::resting_step_limit(host.lmp.get())));
+  EXPECT_TRUE(std::isinf(LAMMPS_NS::present_step_limit(host.lmp.get())));
+}
+
+TEST(ContactCheck, limitsOfAPlateAtRest)
+{
+  Host host;
+  host(resting());
+  ASSERT_EQ(host.atoms().size(), 14u);
+  EXPECT_LT(kinetic(host), 1e-12);
+  int contacts = 0;
+  const double now = LAMMPS_NS::present_step_limit(host.lmp.get(), &contacts);
+  EXPECT_EQ(contacts, 7);
+  std::string which;
+  const double worst = LAMMPS_NS::resting_step_limit(host.lmp.get(), &which);
+  EXPECT_EQ(which, "ill");
+  EXPECT_LT(worst, now);
+
+  // seven contacts with the floor, exactly
+  const auto clump = clay::illitePlate({1e-3, 2e-3, 1e-3, 2});
+  const auto g = clay::sumOfSpheres(clump);
+  const double m = 2600 * g.volume;
+  std::vector<clay::BodyContact> floor;
+  for (int i = 0; i < 7; i++)
+    floor.push_back({clump[i].x - Eigen::Vector3d(0, 0, 1e-3), -Eigen::Vector3d::UnitZ(),
+                     {k, k, gamma_n * m, gamma_n * m}, true});
+  EXPECT_LE(now, clay::stableStep(m, 2600 * g.inertia, floor) * (1 + 1e-6));
+}
+
+TEST(ContactCheck, theHostBlowsUpWhereTheLimitSays)
+{
+  const auto clump = clay::illitePlate({1e-3, 2e-3, 1e-3, 2});
+  const auto g = clay::sumOfSpheres(clump);
+  const double m = 2600 * g.volume;
+  std::vector<clay::BodyContact> floor;
+  for (int i = 0; i < 7; i++)
+    floor.push_back({clump[i].x - Eigen::Vector3d(0, 0, 1e-3), -Eigen::Vector3d::UnitZ(),
+                     {k, k, gamma_n * m, gamma_n * m}, true});
+  const double limit = clay::stableStep(m, 2600 * g.inertia, floor);
+  for (double factor : {0.85, 1.15}) {
+    Host host;
+    std::ostringstream s;
+    s.precision(17);
+    s << resting() << "unfix g\nfix g all gravity 9.81 vector 0.001 0 -1\ntimestep " << factor * limit << "\nrun 3000\n";
+    host(s.str());
+    if (factor < 1) EXPECT_LT(kinetic(host), 1e-12);
+    else EXPECT_GT(kinetic(host), 1e-8);
+  }
+}

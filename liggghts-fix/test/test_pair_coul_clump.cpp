@@ -1,0 +1,219 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "host.h"
+#include "pair.h"
+#include "pair_coul_clump.h"
+#include "update.h"
+
+
+using test::Host;
+
+namespace {
+
+const double k = 8.9875517873681764e9;
+
+std::string two(const std::string &style, double apart)
+{
+  std::ostringstream s;
+  s.precision(17);
+  s << test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") << test::material(style)
+    << "pair_coeff 1 1 coul/clump 2e-10\npair_coeff 2 2 coul/clump -3e-10\n"
+    << "create_atoms 1 single " << -apart / 2 << " 0 0 units box\n"
+    << "create_atoms 2 single " << apart / 2 << " 0 0 units box\n"
+    << "set type 1 diameter 1e-3\nset type 2 diameter 1e-3\n"
+    << "set type 1 density 2600\nset type 2 density 2600\n"
+    << "fix nve all nve/sphere\ntimestep 1e-6\n";
+  return s.str();
+}
+
+// largest difference of the forces from pairs counted one by one, minimum image
+// in the periodic directions, over the largest force
+double against_brute_force(const std::vector<test::Atom> &atoms, const double *charge, double cutoff,
+                           const double *period, long *acting)
+{
+  double error = 0, largest = 0;
+  *acting = 0;
+  for (const test::Atom &i : atoms) {
+    double f[3] = {0, 0, 0};
+    for (const test::Atom &j : atoms) {
+      if (i.tag == j.tag || (i.body >= 0 && i.body == j.body)) continue;
+      double d[3], r2 = 0;
+      for (int c = 0; c < 3; c++) {
+        d[c] = i.x[c] - j.x[c];
+        if (period[c] > 0) d[c] -= period[c] * std::round(d[c] / period[c]);
+        r2 += d[c] * d[c];
+      }
+      if (r2 >= cutoff * cutoff) continue;
+      ++*acting;
+      for (int c = 0; c < 3; c++) f[c] += k * charge[i.type] * charge[j.type] * d[c] / std::pow(r2, 1.5);
+    }
+    for (int c = 0; c < 3; c++) {
+      error = std::max(error, std::abs(f[c] - i.f[c]));
+      largest = std::max(largest, std::abs(f[c]));
+    }
+  }
+  return error / largest;
+}
+
+}  // namespace
+
+TEST(PairCoulClump, forceByTheFormula)
+{
+  struct Case { const char *style; double r, expected; };
+  const double qq = 2e-10 * -3e-10;
+  const Case cases[] = {
+      {"coul/clump 0.006", 0.004, k * qq / 1.6e-5},
+      {"coul/clump 0.006 sharp", 0.0059, k * qq / (0.0059 * 0.0059)},
+      {"coul/clump 0.006", 0.0061, 0},
+      {"coul/clump 0.006 shifted", 0.004, k * qq * (1 / 1.6e-5 - 1 / 3.6e-5)},
+      {"coul/clump 0.006 permittivity 78.5", 0.004, k * qq / 1.6e-5 / 78.5},
+  };
+  for (const Case &c : cases) {
+    Host host;
+    host(two(c.style, c.r) + "run 0\n");
+    const auto a = host.atoms();
+    ASSERT_EQ(a.size(), 2u);
+    // unlike charges: the left one is drawn to the right
+    EXPECT_NEAR(a[0].f[0], -c.expected, 1e-12 * std::abs(c.expected)) << c.style;
+    EXPECT_NEAR(a[1].f[0], c.expected, 1e-12 * std::abs(c.expected)) << c.style;
+  }
+}
+
+TEST(PairCoulClump, energyAndSingle)
+{
+  Host host;
+  host(two("coul/clump 0.006", 0.004) + "compute pe all pe pair\nthermo_style custom step c_pe\nrun 0\n");
+  const double qq = 2e-10 * -3e-10, expected = k * qq * (1 / 0.004 - 1 / 0.006);
+  double mine = host.lmp->force->pair->eng_coul, sum;
+  MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  EXPECT_NEAR(sum, expected, 1e-12 * std::abs(expected));
+
+  auto *pair = dynamic_cast<LAMMPS_NS::PairCoulClump *>(host.lmp->force->pair_match("coul/clump", 1));
+  ASSERT_NE(pair, nullptr);
+  double f = 0;
+  EXPECT_NEAR(pair->single(0, 0, 1, 2, 1.6e-5, 1, 1, f), expected, 1e-12 * std::abs(expected));
+  EXPECT_NEAR(f, k * qq / 1.6e-5 / 0.004, 1e-12 * std::abs(f));
+}
+
+TEST(PairCoulClump, circularOrbit)
+{
+  // two charges of one mass about each other: T = 2 pi sqrt(m/2 r3/(k q2))
+  const double m = 1.3875e-9, q = 1e-13, r = 1e-3;
+  const double T = 2 * M_PI * std::sqrt(0.5 * m * r * r * r / (k * q * q)), v = M_PI * r / T;
+  for (const std::string every : {"", " every 10 impulse"}) {
+    Host host;
+    std::ostringstream s;
+    s.precision(17);
+    s << test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01")
+      << test::material("coul/clump 0.004" + every)
+      << "pair_coeff 1 1 coul/clump " << q << "\npair_coeff 2 2 coul/clump " << -q
+      << "\ncreate_atoms 1 single -0.0005 0 0 units box\ncreate_atoms 2 single 0.0005 0 0 units box\n"
+      << "set group all diameter 1e-4\nset group all density " << m / (M_PI / 6 * 1e-12) << "\n"
+      << "group one type 1\ngroup other type 2\n"
+      << "velocity one set 0 " << -v << " 0 units box\nvelocity other set 0 " << v << " 0 units box\n"
+      << "fix nve all nve/sphere\ntimestep " << T / 20000 << "\ncompute pe all pe pair\nthermo_style custom step c_pe\n"
+      << "thermo 20000\nrun 20000\n";
+    host(s.str());
+    const auto a = host.atoms();
+    EXPECT_NEAR(std::atan2(a[1].x[1], a[1].x[0]), 0, 1e-3 * 2 * M_PI);
+    double kinetic = 0;
+    for (const auto &p : a) kinetic += 0.5 * m * (p.v[0] * p.v[0] + p.v[1] * p.v[1] + p.v[2] * p.v[2]);
+    const double apart = std::hypot(a[0].x[0] - a[1].x[0], a[0].x[1] - a[1].x[1]);
+    const double energy = kinetic - k * q * q / apart, start = -0.5 * k * q * q / r;
+    EXPECT_NEAR(energy, start, (every.empty() ? 1e-6 : 1e-5) * std::abs(start));
+  }
+}
+
+TEST(PairCoulClump, everyStepsGivesTheSameImpulse)
+{
+  for (const char *mode : {"impulse", "hold"}) {
+    Host often, seldom;
+    often(two("coul/clump 0.006", 0.004) + "run 100\n");
+    seldom(two(std::string("coul/clump 0.006 every 10 ") + mode, 0.004) + "run 100\n");
+    auto *pair = dynamic_cast<LAMMPS_NS::PairCoulClump *>(seldom.lmp->force->pair_match("coul/clump", 1));
+    EXPECT_LE(pair->evaluations(), 12);
+    EXPECT_GE(pair->evaluations(), 10);
+    const auto a = often.atoms(), b = seldom.atoms();
+    EXPECT_GT(std::abs(a[0].v[0]), 1e-6);
+    EXPECT_NEAR(b[0].v[0], a[0].v[0], 0.06 * std::abs(a[0].v[0])) << mode;
+  }
+}
+
+TEST(PairCoulClump, noChargesNoWork)
+{
+  Host host;
+  std::string script = two("coul/clump 0.006", 0.004) + "pair_coeff 1 1 coul/clump 0.0\npair_coeff 2 2 coul/clump 0.0\nrun 5\n";
+  host(script);
+  auto *pair = dynamic_cast<LAMMPS_NS::PairCoulClump *>(host.lmp->force->pair_match("coul/clump", 1));
+  EXPECT_EQ(pair->evaluations(), 0);
+  EXPECT_EQ(host.atoms()[0].f[0], 0);
+}
+
+TEST(PairCoulClump, everyPairOfClumpsInReach)
+{
+  const double charge[] = {0, 4e-10, -4e-10};
+  for (double cutoff : {0.003, 0.008}) {
+    Host host;
+    std::ostringstream s;
+    s << test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") << "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n"
+      << test::material("coul/clump " + std::to_string(cutoff))
+      << "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n"
+      << test::clumps(40) << "timestep 1e-6\nrun 2\n";
+    host(s.str());
+    const auto atoms = host.atoms();
+    ASSERT_EQ(atoms.size(), 560u);
+    const double period[3] = {0, 0, 0};
+    long acting;
+    EXPECT_LT(against_brute_force(atoms, charge, cutoff, period, &acting), 1e-11) << cutoff;
+    EXPECT_GT(acting, 50);
+  }
+}
+
+TEST(PairCoulClump, acrossPeriodicSides)
+{
+  const double charge[] = {0, 4e-10, -4e-10};
+  Host host;
+  host(test::opening("p p f", "-0.012 0.012 -0.012 0.012 0 0.05") + "region ins block -0.012 0.012 -0.012 0.012 0 0.05 units box\n" +
+       test::material("coul/clump 0.007") + "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n" +
+       test::clumps(30) + "timestep 1e-6\nrun 2\n");
+  const double period[3] = {0.024, 0.024, 0};
+  long acting;
+  EXPECT_LT(against_brute_force(host.atoms(), charge, 0.007, period, &acting), 1e-11);
+  EXPECT_GT(acting, 1000);
+}
+
+TEST(PairCoulClump, sameOnManyProcessorsAndAfterRestart)
+{
+  // one processor writes a restart; one alone and all together go on from it
+  int rank;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  const std::string charges = "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n";
+  if (rank == 0) {
+    Host first(MPI_COMM_SELF);
+    first(test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") + "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" +
+          test::material("coul/clump 0.008 shifted every 2") + charges + test::clumps(40) +
+          "timestep 1e-5\nrun 10\nwrite_restart coul_clump.restart\n");
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  const std::string again = "atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * *\n"
+                            "read_restart coul_clump.restart\nneighbor 0.0005 bin\nneigh_modify delay 0\n" +
+                            test::material("coul/clump 0.008 shifted every 2") + charges +
+                            "fix ms all multisphere\ntimestep 1e-5\nrun 300\n";
+  Host alone(MPI_COMM_SELF), together(MPI_COMM_WORLD);
+  alone(again);
+  together(again);
+  const auto a = alone.atoms(), b = together.atoms();
+  ASSERT_EQ(a.size(), 560u);
+  ASSERT_EQ(b.size(), 560u);
+  double moved = 0, apart = 0;
+  for (std::size_t i = 0; i < a.size(); i++)
+    for (int d = 0; d < 3; d++) {
+      moved = std::max(moved, std::abs(a[i].v[d]));
+      apart = std::max(apart, std::abs(a[i].v[d] - b[i].v[d]));
+    }
+  EXPECT_GT(moved, 1e-3);
+  EXPECT_LT(apart, 1e-8 * moved);
+}

@@ -1,0 +1,85 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""Broken inputs: each must end both halves soon, with a line that names it."""
+
+import json
+import os
+import re
+import sys
+
+import coupled
+from frame import Broken
+
+sys.path.append(os.path.join(coupled.TOP, "cases", "lib"))
+import openfoam  # noqa: E402
+
+TITLE = "broken inputs end both halves with one line that says why"
+SECONDS = 20
+
+
+def _break(folder, item):
+    """Does to a prepared run folder what the item says."""
+    for name, (old, new) in item.get("replace", {}).items():
+        path = os.path.join(folder, name)
+        with open(path, encoding="utf-8") as f:
+            text = f.read()
+        if old not in text:
+            raise Broken(f"{item['input']}: '{old}' does not stand in {name}")
+        with open(path, "w", encoding="utf-8") as f:
+            f.write(text.replace(old, new))
+    for name, text in item.get("append", {}).items():
+        with open(os.path.join(folder, name), "a", encoding="utf-8") as f:
+            f.write(text + "\n")
+    for name, text in item.get("create", {}).items():
+        with open(os.path.join(folder, name), "w", encoding="utf-8") as f:
+            f.write(text)
+    if "remove" in item:
+        os.remove(os.path.join(folder, item["remove"]))
+    for program, options in item.get("command", {}).items():
+        openfoam.run(program, os.path.join(folder, "CFD"), *options)
+
+
+def _script(folder, item):
+    """The folder's run.sh, of one half only if the item says so."""
+    with open(os.path.join(folder, "run.sh"), encoding="utf-8") as f:
+        script = f.read()
+    if "alone" in item:
+        head, dem, cfd = re.match(r"(.*mpirun[^\n]*?)(-np \d+ liggghts-clay.*) : (-np.*)$",
+                                  script, re.S).groups()
+        script = head + (dem if item["alone"] == "dem" else cfd)
+    return script
+
+
+def _reasons(output):
+    """Lines of the output that tell of an error, each once."""
+    found = []
+    for line in output.splitlines():
+        line = line.strip()
+        if re.match(r"(ERROR|clayFoam: (?!t = |warning|couplingProperties: defaults)|liggghts-clay: )", line) and line not in found:
+            found.append(line)
+    return found
+
+
+def run(checks):
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "inputs.json"),
+              encoding="utf-8") as f:
+        items = json.load(f)
+    for number, item in enumerate(items):
+        what = item["input"]
+        options = [o for s in item.get("set", []) for o in ("--set", s)]
+        outcome, folder = coupled.case("clump-half", f"bad-input/{number:02d}", "--dry-run",
+                                       "--end", "0.02", *options, limit=60)
+        if outcome.status != 0:
+            checks.true(f"{what}: prepared", False, outcome.output.strip()[-200:])
+            continue
+        _break(folder, item)
+        outcome = coupled.execute(["sh", "-c", _script(folder, item)], 60)
+        with open(os.path.join(folder, "output"), "w", encoding="utf-8") as f:
+            f.write(outcome.output)
+        reasons = _reasons(outcome.output)
+        said = " | ".join(reasons)
+        missing = [w for w in item["says"] if w.lower() not in said.lower()]
+        ended = outcome.status not in (0, None)
+        checks.true(f"{what}: ends, exit code not 0", ended, outcome.status)
+        checks.at_most(f"{what}: seconds", outcome.seconds, SECONDS)
+        checks.true(f"{what}: the line names it", not missing,
+                    said if missing else "", "lacks: " + ", ".join(missing) if missing else "")

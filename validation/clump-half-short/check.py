@@ -1,0 +1,42 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""The half-size column for a moment: does a run end well and leave its files?"""
+
+import os
+
+import coupled
+
+TITLE = "cases/run clump-half for 0.05 s"
+
+KEYS = """versions settings seed particles particles_lost simulated_s wall_s dem_s cfd_s exchange_s
+    waiting_s output_s dem_steps cfd_steps exchanges max_overlap_over_d max_momentum_residual
+    max_void_fraction_volume_error reynolds_max courant_max warnings""".split()
+FILES = ("settling.csv", "settling.png", "columns.png", "summary.json", "DEM/spheres.pvd",
+         "CFD/clump-half.foam", "DEM/log", "CFD/log")
+
+
+def run(checks):
+    outcome, folder = coupled.case("clump-half", "clump-half-short", "--end", "0.05", limit=300)
+    if not checks.equal("exit code", outcome.status, 0):
+        checks.true("what it said", False, outcome.output.strip()[-200:])
+        return
+    for name in FILES:
+        path = os.path.join(folder, name)
+        size = os.path.getsize(path) if os.path.isfile(path) else 0
+        checks.true(name, size > 0 or name.endswith(".foam") and os.path.isfile(path), size)
+    s = coupled.summary(folder)
+    missing = [k for k in KEYS if k not in s]
+    checks.equal("keys missing in summary.json", " ".join(missing), "")
+    checks.equal("particles", s["particles"], 1890)
+    checks.equal("particles_lost", s["particles_lost"], 0)
+    checks.equal("dem_steps", s["dem_steps"], 5000)
+    checks.equal("cfd_steps", s["cfd_steps"], 250)
+    checks.close("simulated_s", s["simulated_s"], 0.05, 1e-9)
+    checks.at_most("max_momentum_residual", s["max_momentum_residual"], 1e-10)
+    checks.at_most("max_void_fraction_volume_error", s["max_void_fraction_volume_error"], 1e-12)
+    checks.at_most("max_overlap_over_d", s["max_overlap_over_d"], 0.01)
+    curve = coupled.settling(folder)
+    checks.at_least("rows of settling.csv", float(len(curve["time_s"])), 200)
+    checks.close("last time of settling.csv", curve["time_s"][-1], 0.05, 1e-9)
+    checks.close("its days", curve["time_days"][-1], 0.05 * 9.49e5 / 86400, 1e-6)
+    checks.true("the interface falls", curve["interface_m"][-1] < curve["interface_m"][0],
+                curve["interface_m"][-1], curve["interface_m"][0])

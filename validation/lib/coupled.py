@@ -1,0 +1,68 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs coupled cases for the checks, within a time limit."""
+
+import json
+import os
+import signal
+import subprocess
+import time
+
+from frame import Broken
+
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+RUNS = os.path.join(TOP, "results", "validation")
+
+
+class Outcome:
+    """How a command ended: exit code (None: had to be stopped), output, seconds."""
+
+    def __init__(self, status, output, seconds):
+        self.status, self.output, self.seconds = status, output, seconds
+
+
+def execute(words, limit, cwd=TOP, env=None):
+    """Runs a command; ends it, and all it started, after limit seconds."""
+    began = time.monotonic()
+    process = subprocess.Popen(words, cwd=cwd, env=env, stdin=subprocess.DEVNULL, text=True,
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                               errors="replace", start_new_session=True)
+    try:
+        output, _ = process.communicate(timeout=limit)
+        status = process.returncode
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGTERM)
+        try:
+            output, _ = process.communicate(timeout=10)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            output, _ = process.communicate()
+        status = None
+    return Outcome(status, output, time.monotonic() - began)
+
+
+def case(name, where, *options, limit=600):
+    """cases/run of a case into results/validation/where; returns (outcome, folder)."""
+    folder = os.path.join(RUNS, where)
+    words = [os.path.join(TOP, "cases", "run"), "--no-setup", name, "--out", folder, *options]
+    return execute(words, limit), folder
+
+
+def finished(name, where, *options, limit=600):
+    """As case(), but the run must end well; returns its folder."""
+    outcome, folder = case(name, where, *options, limit=limit)
+    if outcome.status != 0:
+        lines = [x for x in outcome.output.splitlines() if x.strip()]
+        raise Broken(f"the run in {where} ended with {outcome.status}: {lines[-1] if lines else ''}")
+    return folder
+
+
+def summary(folder):
+    with open(os.path.join(folder, "summary.json"), encoding="utf-8") as f:
+        return json.load(f)
+
+
+def settling(folder):
+    """The columns of settling.csv, as lists of numbers by name."""
+    with open(os.path.join(folder, "settling.csv"), encoding="utf-8") as f:
+        rows = [x.strip().split(",") for x in f if x.strip() and not x.startswith("#")]
+    return {key: [float(r[i]) for r in rows[1:]] for i, key in enumerate(rows[0])}

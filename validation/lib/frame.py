@@ -1,0 +1,81 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""What a check can ask: every question becomes a row with its verdict."""
+
+import csv
+import json
+import math
+
+COLUMNS = ("case", "quantity", "value", "reference", "error", "gate", "verdict")
+
+
+class Broken(Exception):
+    """A check that cannot go on; its text is one line."""
+
+
+class Checks:
+    """The rows of one validation case."""
+
+    def __init__(self, case, tell):
+        self.case, self.tell, self.rows = case, tell, []
+
+    def _row(self, quantity, value, reference, error, gate, passed):
+        row = dict(zip(COLUMNS, (self.case, quantity, value, reference, error, gate,
+                                 "pass" if passed else "FAIL")))
+        self.rows.append(row)
+        self.tell(row)
+        return passed
+
+    def at_most(self, quantity, value, gate):
+        """A measure that must not exceed its gate."""
+        good = value is not None and math.isfinite(value) and value <= gate
+        return self._row(quantity, value, None, value, gate, good)
+
+    def at_least(self, quantity, value, gate):
+        good = value is not None and math.isfinite(value) and value >= gate
+        return self._row(quantity, value, None, value, f">= {gate:g}", good)
+
+    def close(self, quantity, value, reference, gate, relative=True):
+        """A value within a relative (or absolute) distance of a reference."""
+        error = abs(value - reference)
+        if relative and reference:
+            error /= abs(reference)
+        return self._row(quantity, value, reference, error, gate, math.isfinite(error) and error <= gate)
+
+    def equal(self, quantity, value, reference):
+        return self._row(quantity, value, reference, None, "equal", value == reference)
+
+    def true(self, quantity, passed, value="", reference=""):
+        """A yes-or-no question; value says what was found."""
+        return self._row(quantity, value, reference, None, "true", bool(passed))
+
+
+def short(value):
+    """A value for the table."""
+    if value is None:
+        return ""
+    if isinstance(value, float):
+        return f"{value:.4g}"
+    return str(value)
+
+
+def line(row):
+    """A row of the table; a failed one says all it knows."""
+    said = f"{row['verdict']:<5}{row['case']:<18}{row['quantity']:<60}"
+    value, reference = short(row["value"]), short(row["reference"])
+    if row["verdict"] != "pass":
+        return f"{said}\n     found {value}; wanted {row['gate']} {reference}".rstrip()
+    return f"{said} {value[:14]:<14} {reference[:14]:<14} {short(row['error']):<11}{short(row['gate'])}".rstrip()
+
+
+def write_csv(path, rows):
+    with open(path, "w", encoding="utf-8", newline="") as f:
+        out = csv.DictWriter(f, COLUMNS, lineterminator="\n")
+        out.writeheader()
+        out.writerows(rows)
+
+
+def write_json(path, rows):
+    passed = sum(r["verdict"] == "pass" for r in rows)
+    with open(path, "w", encoding="utf-8") as f:
+        json.dump({"passed": passed, "failed": len(rows) - passed, "checks": rows}, f, indent=2)
+        f.write("\n")

@@ -1,0 +1,83 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""validation/run: runs the checks of validation/*/check.py."""
+
+import argparse
+import difflib
+import importlib.util
+import os
+import sys
+import time
+
+import frame
+from coupled import RUNS, TOP
+
+HERE = os.path.join(TOP, "validation")
+
+
+def load(name):
+    """A check's module: TITLE, run(checks) and, if it takes long, LONG = True."""
+    path = os.path.join(HERE, name, "check.py")
+    spec = importlib.util.spec_from_file_location("check_" + name.replace("-", "_"), path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def names():
+    return sorted(d for d in os.listdir(HERE) if os.path.isfile(os.path.join(HERE, d, "check.py")))
+
+
+def main():
+    p = argparse.ArgumentParser(prog="validation/run", allow_abbrev=False,
+                                description="Checks the project: unit tests, then coupled runs.")
+    p.add_argument("names", nargs="*", metavar="NAME", help="only these checks")
+    p.add_argument("--list", action="store_true", help="list the checks and stop")
+    p.add_argument("--all", action="store_true", help="the long checks, too")
+    p.add_argument("--json", metavar="FILE", help="write the results as JSON, too")
+    args = p.parse_args()
+
+    known = names()
+    modules = {}
+    for name in args.names or known:
+        if name not in known:
+            close = difflib.get_close_matches(name, known, 1, 0.4)
+            hint = f"did you mean '{close[0]}'?" if close else "known are " + ", ".join(known)
+            print(f"validation/run: unknown check '{name}'; {hint}", file=sys.stderr)
+            return 2
+        modules[name] = load(name)
+    if args.list:
+        for name, module in modules.items():
+            print(f"{name:<20}{'(long) ' if getattr(module, 'LONG', False) else ''}{module.TITLE}")
+        return 0
+
+    os.makedirs(RUNS, exist_ok=True)
+    rows = []
+    # the unit tests first: when they fail, so will the rest
+    for name in sorted(modules, key=lambda n: (n != "unit", n)):
+        module = modules[name]
+        if getattr(module, "LONG", False) and not (args.all or args.names):
+            continue
+        print(f"-- {name}: {module.TITLE}", flush=True)
+        checks = frame.Checks(name, lambda row: print(frame.line(row), flush=True))
+        began = time.monotonic()
+        try:
+            module.run(checks)
+        except (frame.Broken, OSError, ValueError, KeyError) as e:
+            checks.true("came to its end", False, f"{type(e).__name__}: {e}")
+        print(f"   {time.monotonic() - began:.1f} s", flush=True)
+        rows += checks.rows
+
+    frame.write_csv(os.path.join(RUNS, "validation.csv"), rows)
+    if args.json:
+        frame.write_json(args.json, rows)
+    failed = [r for r in rows if r["verdict"] != "pass"]
+    if failed:
+        print("failed:")
+        for row in failed:
+            print(frame.line(row))
+    print(f"{len(rows) - len(failed)} passed, {len(failed)} failed")
+    return 1 if failed or not rows else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

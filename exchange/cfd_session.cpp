@@ -42,7 +42,7 @@ struct CfdSession::Impl {
   std::vector<MPI_Request> headers, states, out;
   SharedParticles shared;
   int particles = 0;
-  double time = 0, interval = 0;
+  double time = 0, interval = 0, reported = 0;
   bool last = false, open = false, heardGoodbye = false;
   std::array<double, 3> impulse{};
   Timing timing;
@@ -111,7 +111,7 @@ void CfdSession::Impl::unpack(Particles& list) {
   }
 }
 
-// Places in the DEM rank's list first, then field by field
+// Places in the DEM rank's list first, then field by field, then the reported figure
 void CfdSession::Impl::pack(const Particles& answers, const std::vector<char>& owned,
                             Peer& peer) {
   peer.answer.clear();
@@ -119,7 +119,8 @@ void CfdSession::Impl::pack(const Particles& answers, const std::vector<char>& o
   for (int i = 0; i < n; ++i)
     if (owned[static_cast<std::size_t>(peer.first + i)]) peer.answer.push_back(i);
   const std::size_t answered = peer.answer.size();
-  peer.answer.resize(answered * (1 + static_cast<std::size_t>(sends.width())));
+  peer.answer.resize(answered * (1 + static_cast<std::size_t>(sends.width())) + 1);
+  peer.answer.back() = reported;
   double* to = peer.answer.data() + answered;
   for (unsigned k = 0; k < fieldCount; ++k) {
     const auto f = static_cast<Field>(k);
@@ -237,6 +238,8 @@ void CfdSession::answer(const Particles& answers, const std::vector<char>& owned
             &s.timing.waiting);
   s.timing.exchange += now() - start - (s.timing.waiting - idle);
 }
+
+void CfdSession::report(double momentumResidual) { impl_->reported = momentumResidual; }
 
 void CfdSession::close() {
   auto& s = *impl_;

@@ -49,7 +49,7 @@ struct DemSession::Impl {
   std::vector<MPI_Status> inStatus;
   std::vector<long> answeredIn;  // exchange in which a particle was answered
   const Particles* sent = nullptr;
-  double lastTime = 0, sentAt = 0;
+  double lastTime = 0, sentAt = 0, reported = 0;
   bool open = false, awaiting = false, arrived = false, runOver = false;
   Timing timing;
 
@@ -133,7 +133,8 @@ void DemSession::Impl::unpack(Particles& answer) {
     if (particles.empty()) continue;
     int doubles = 0;
     PMPI_Get_count(&inStatus[peer.answerSlot], MPI_DOUBLE, &doubles);
-    const std::size_t answers = static_cast<std::size_t>(doubles) / (1 + width);
+    const std::size_t answers = static_cast<std::size_t>(doubles - 1) / (1 + width);
+    reported = peer.answer[static_cast<std::size_t>(doubles - 1)];
     const double* index = peer.answer.data();
     const double* from = index + answers;
     for (std::size_t a = 0; a < answers; ++a) {
@@ -169,6 +170,7 @@ DemSession::~DemSession() {
   if (impl_ && impl_->open) static_cast<void>(impl_.release());
 }
 
+double DemSession::reported() const { return impl_->reported; }
 const CfdTerms& DemSession::peer() const { return impl_->terms.cfd; }
 const FieldSet& DemSession::sends() const { return impl_->sends; }
 const FieldSet& DemSession::receives() const { return impl_->receives; }
@@ -209,7 +211,7 @@ void DemSession::send(const Particles& particles, double time, bool last,
     if (n == 0) continue;
     s.pack(particles, route, peer);
     s.post(peer.state.data(), peer.state.size(), world.peers()[p], wire::tagState);
-    peer.answer.resize(n * (1 + width));
+    peer.answer.resize(n * (1 + width) + 1);
     peer.answerSlot = s.in.size();
     s.in.emplace_back();
     PMPI_Irecv(peer.answer.data(), static_cast<int>(peer.answer.size()), MPI_DOUBLE,

@@ -62,6 +62,10 @@ class DemSession {
   /// Says goodbye; the session is over.
   void close();
 
+  /// The last figure that the CFD half has reported with an answer to this
+  /// rank; 0 before the first.
+  double reported() const;
+
   const Timing& timing() const;
 
  private:
@@ -110,6 +114,10 @@ class CfdSession {
   /// Answers the last state: the fields of sends() for every particle of this
   /// rank; only those owned here are sent.
   void answer(const Particles& answers, const std::vector<char>& owned);
+
+  /// A figure for the DEM half's progress line, the largest relative residual
+  /// of momentum; goes with every answer from now on.
+  void report(double momentumResidual);
 
   void close();
 

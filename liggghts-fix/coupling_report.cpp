@@ -101,8 +101,8 @@ void CouplingReport::exchange(const clay::DemSession &session, bool last)
 
 void CouplingReport::line(const clay::DemSession &session)
 {
-  double overlap;
-  MPI_Allreduce(&overlap_,&overlap,1,MPI_DOUBLE,MPI_MAX,world);
+  double mine[2] = {overlap_,session.reported()}, worst[2];
+  MPI_Allreduce(mine,worst,2,MPI_DOUBLE,MPI_MAX,world);
   Fix *curve = modify->find_fix_style("settling/curve",0);
   const double interface = curve ? curve->compute_vector(0) : 0.;
   if (comm->me) return;
@@ -116,7 +116,7 @@ void CouplingReport::line(const clay::DemSession &session)
   int n = snprintf(text,sizeof text,"t = %.4f s  %5.1f %%  ETA %ld:%02ld",
                    update->get_cur_time(),100.*done,eta/60,eta%60);
   if (curve) n += snprintf(text+n,sizeof text-n,"  interface %.4f m",interface);
-  snprintf(text+n,sizeof text-n,"  overlap/d %.2e",overlap);
+  snprintf(text+n,sizeof text-n,"  overlap/d %.2e  momentum %.1e",worst[0],worst[1]);
   if (screen) { fprintf(screen,"clayFoam: %s\n",text); fflush(screen); }
   if (logfile) fprintf(logfile,"clayFoam: %s\n",text);
 }

@@ -11,6 +11,7 @@
 #include "atom.h"
 #include "body_drag.h"
 #include "comm.h"
+#include "contact_check.h"
 #include "coupling_report.h"
 #include "domain.h"
 #include "error.h"
@@ -31,6 +32,7 @@ using clay::Field;
 FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
   interval_(0), dt_(0.), idle_(false), pending_(false), check_limit_(true),
+  warned_(false), exchanges_(0),
   bodies_(NULL), fluid_(NULL)
 {
   parse(narg,arg);
@@ -149,6 +151,38 @@ void FixCoupleFoam::check_interval()
   }
 }
 
+/* ----------------------------------------------------------------------
+   a body in many contacts needs a smaller step than one contact does
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::check_contact_limit()
+{
+  std::string which;
+  const double limit = resting_step_limit(lmp,&which);
+  if (update->dt <= limit) return;
+  char text[256];
+  snprintf(text,sizeof text,
+           "Fix couple/foam: timestep %g s is above %.3g s, the contact limit of a clump '%s' at rest; "
+           "take a smaller one, or a softer contact, or contact_limit no",
+           update->dt,limit,which.c_str());
+  error->all(FLERR,text);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::watch_contact_limit()
+{
+  int contacts = 0;
+  const double limit = present_step_limit(lmp,&contacts);
+  if (warned_ || update->dt <= limit) return;
+  warned_ = true;
+  char text[256];
+  snprintf(text,sizeof text,
+           "timestep %g s is above %.3g s, a safe bound for a body with %d contacts at step " BIGINT_FORMAT,
+           update->dt,limit,contacts,update->ntimestep);
+  report_->warn(text);
+}
+
 /* ---------------------------------------------------------------------- */
 
 clay::DemTerms FixCoupleFoam::terms()
@@ -255,6 +289,7 @@ void FixCoupleFoam::end_of_step()
              "change it between two runs",dt_,update->dt);
     error->all(FLERR,text);
   }
+  if (check_limit_ && ++exchanges_ % 50 == 0) watch_contact_limit();
   send(update->ntimestep == update->laststep);
 }
 
@@ -468,5 +503,3 @@ int FixCoupleFoam::unpack_exchange(int nlocal, double *buf)
   std::copy(buf,buf + SIZE,fluid_[nlocal]);
   return SIZE;
 }
-
-void FixCoupleFoam::check_contact_limit() {}

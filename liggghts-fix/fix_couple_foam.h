@@ -57,6 +57,7 @@ class FixCoupleFoam : public Fix {
   void check_interval();
   void check_order();
   void check_contact_limit();
+  void watch_contact_limit();
   clay::DemTerms terms();
   void open();
   void send(bool last);
@@ -71,6 +72,8 @@ class FixCoupleFoam : public Fix {
   bool idle_;                    // a run of no steps
   bool pending_;                 // an answer is still to come
   bool check_limit_;             // refuse a step above the contact limit
+  bool warned_;                  // of the contacts there are
+  long exchanges_;
   FixMultisphereClump *bodies_;  // null without clumps
   double **fluid_;               // per-atom store
   double given_[3];              // impulse given to this rank's particles [N s]

@@ -242,8 +242,14 @@ Foam::couplingProperties::couplingProperties(const Time& runTime)
         {"auto", "difference", "particleFlux", "none"}
     );
 
-    interpolation_ = take<word>("interpolation", "cell");
-    checkWord(*this, "interpolation", interpolation_, {"cell", "cellPoint"});
+    interpolation_ = take<word>("interpolation", "mapped");
+    checkWord
+    (
+        *this,
+        "interpolation",
+        interpolation_,
+        {"mapped", "cell", "cellPoint"}
+    );
 
     const scalar least = take<scalar>("voidFractionMin", 0.2);
     if (!(least > 0 && least < 1))

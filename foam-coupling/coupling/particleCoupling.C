@@ -60,6 +60,19 @@ static bool saved(const fvMesh& mesh, const word& field)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::voidFractionModel::sharedSum Foam::particleCoupling::sharedSum()
+{
+    if (!Pstream::parRun())
+    {
+        return nullptr;
+    }
+    return [this](std::vector<double>& values, int stride)
+    {
+        session_->sumShared(values, stride);
+    };
+}
+
+
 clay::CfdTerms Foam::particleCoupling::terms() const
 {
     using clay::Field;
@@ -182,7 +195,8 @@ Foam::particleCoupling::particleCoupling
     mapping_(voidFractionModel::New(properties_, mesh_)),
     smoothing_(smoothingModel::New(properties_, mesh_)),
     ddtType_(properties_.ddt(mapping_->smooth() || smoothing_->active())),
-    forces_(properties_),
+    sumShared_(sharedSum()),
+    forces_(properties_, sumShared_),
     ledger_(mesh_, rho_),
     history_(mesh_),
     gradP_

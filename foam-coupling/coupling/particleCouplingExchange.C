@@ -59,7 +59,6 @@ void Foam::particleCoupling::map()
     dispersedParticles& p = particles_;
     p.locate(mesh_);
 
-    voidFractionModel::sharedSum sumShared;
     if (Pstream::parRun())
     {
         const scalarField claims(p.claims(mesh_));
@@ -71,14 +70,10 @@ void Foam::particleCoupling::map()
         {
             p.owned[i] = owned[i];
         }
-        sumShared = [this](std::vector<double>& values, int stride)
-        {
-            session_->sumShared(values, stride);
-        };
     }
 
     volScalarField& n = history_.mapped();
-    mapping_->map(p, sumShared, n, smoothing_.operator->());
+    mapping_->map(p, sumShared_, n, smoothing_.operator->());
 
     scalar volume = 0;
     forAll(p.owned, i)
@@ -155,7 +150,7 @@ void Foam::particleCoupling::exchangeMomentum()
                 }
             }
         }
-        session_->sumShared(shared, 4);
+        sumShared_(shared, 4);
         forAll(p.owned, i)
         {
             forces_.K[i] = shared[4*i];
@@ -195,6 +190,7 @@ void Foam::particleCoupling::answer()
         put(Field::force, i, forces_.reacting[i] + forces_.hydrostatic[i]);
     }
 
+    session_->report(stats_.momentumResidual);
     session_->answer(answers_, owned);
     pending_ = false;
 }

@@ -17,6 +17,38 @@ Foam::tmp<Foam::Field<Type>> Foam::particleForces::sample
     auto tvalues = tmp<Field<Type>>::New(p.size(), Zero);
     Field<Type>& values = tvalues.ref();
 
+    if (properties_.interpolation() == "mapped")
+    {
+        forAll(values, i)
+        {
+            for (label e = p.offset[i]; e < p.offset[i + 1]; ++e)
+            {
+                values[i] += p.weight[e]*field[p.cellIndex[e]];
+            }
+        }
+        if (sumShared_)
+        {
+            const int width = pTraits<Type>::nComponents;
+            std::vector<double> parts(width*values.size());
+            forAll(values, i)
+            {
+                for (int d = 0; d < width; ++d)
+                {
+                    parts[width*i + d] = component(values[i], d);
+                }
+            }
+            sumShared_(parts, width);
+            forAll(values, i)
+            {
+                for (int d = 0; d < width; ++d)
+                {
+                    setComponent(values[i], d) = parts[width*i + d];
+                }
+            }
+        }
+        return tvalues;
+    }
+
     autoPtr<interpolation<Type>> scheme;
     if (properties_.interpolation() != "cell")
     {
@@ -69,9 +101,14 @@ Foam::volVectorField Foam::particleForces::density
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::particleForces::particleForces(const couplingProperties& properties)
+Foam::particleForces::particleForces
+(
+    const couplingProperties& properties,
+    const voidFractionModel::sharedSum& sumShared
+)
 :
     properties_(properties),
+    sumShared_(sumShared),
     drag_(dragModel::New(properties)),
     forces_(properties.forces().size()),
     reynoldsMax_(0)

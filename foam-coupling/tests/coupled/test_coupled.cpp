@@ -104,6 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
         Column{"modelB", "model B;", 0.1, 2e-3},
         Column{"sequential", "overlap no;", 0.1, 2e-3},
         Column{"viscous", "forceModels (pressureGradient viscous buoyancy);", 0.1, 2e-3},
+        Column{"cell", "interpolation cell;", 0.1, 2e-3},
         Column{"cellPoint", "interpolation cellPoint;", 0.1, 2e-2},
         Column{"centre", "voidFractionModel centre;", 0.1, 2e-2},
         Column{"divided", "voidFractionModel divided;", 0.1, 2e-2},

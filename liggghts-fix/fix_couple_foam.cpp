@@ -33,13 +33,14 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
   interval_(0), dt_(0.), idle_(false), pending_(false), check_limit_(true),
   warned_(false), exchanges_(0),
-  bodies_(NULL), fluid_(NULL)
+  bodies_(NULL), fluid_(NULL), last_time_(0.)
 {
   parse(narg,arg);
   given_[0] = given_[1] = given_[2] = 0.;
 
   nevery = 1;
   time_depend = 1;
+  comm_forward = comm_reverse = FORCE - DRAG;
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
@@ -315,7 +316,8 @@ void FixCoupleFoam::send(bool last)
 {
   gather();
   check_finite();
-  session_->send(sent_,update->get_cur_time(),last,{{given_[0],given_[1],given_[2]}});
+  last_time_ = update->get_cur_time();
+  session_->send(sent_,last_time_,last,{{given_[0],given_[1],given_[2]}});
   pending_ = true;
   report_->exchange(*session_,last);
 }
@@ -368,25 +370,49 @@ void FixCoupleFoam::gather()
     }
   }
 
-  // a body's impulse is shared out by volume
-  std::vector<double> impulse, total;
-  if (!spheres_.empty()) {
-    const int nbody = bodies_->n_body();
-    impulse.resize(3*nbody);
-    total.assign(nbody,0.);
-    for (int b = 0; b < nbody; b++) {
-      bodies_->take_impulse(b,&impulse[3*b]);
-      for (int k = 0; k < 3; k++) given_[k] += impulse[3*b+k];
-    }
-    for (const auto &s : spheres_) total[s.body] += s.fraction;
-  }
+  if (spheres_.empty() && comm->nprocs == 1) return;
+  share_impulses();
   int slot = nfree;
-  for (const auto &s : spheres_) {
-    const double share = s.fraction/total[s.body];
-    double part[3];
-    for (int k = 0; k < 3; k++) part[k] = share*impulse[3*s.body+k];
-    put(slot++,s.atom,share*bodies_->body_volume(s.body),share*bodies_->body_mass(s.body),
-        bodies_->data().tag(s.body),part);
+  for (size_t n = 0; n < spheres_.size(); n++) {
+    const auto &s = spheres_[n];
+    put(slot++,s.atom,s.fraction*bodies_->body_volume(s.body),
+        s.fraction*bodies_->body_mass(s.body),bodies_->data().tag(s.body),&shares_[3*n]);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   a body's impulse comes from its spheres: each has what its own drag and
+   load gave it since the last exchange; what the body's motion within the
+   interval makes of the sum is shared out by the drag coefficients
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::share_impulses()
+{
+  if (!bodies_) return;
+  const double time = update->get_cur_time() - last_time_;
+  if (comm->nprocs > 1) comm->forward_comm_fix(this);
+
+  const int nbody = bodies_->n_body();
+  std::vector<double> rest(3*nbody), weight(nbody,0.);
+  for (int b = 0; b < nbody; b++) {
+    bodies_->take_impulse(b,&rest[3*b]);
+    for (int k = 0; k < 3; k++) given_[k] += rest[3*b+k];
+  }
+
+  shares_.resize(3*spheres_.size());
+  for (size_t n = 0; n < spheres_.size(); n++) {
+    const auto &s = spheres_[n];
+    const double *fluid = fluid_[s.atom];
+    weight[s.body] += fluid[DRAG];
+    for (int k = 0; k < 3; k++) {
+      shares_[3*n+k] = time*(fluid[LOAD+k] + fluid[DRAG]*(fluid[VELOCITY+k] - atom->v[s.atom][k]));
+      rest[3*s.body+k] -= shares_[3*n+k];
+    }
+  }
+  for (size_t n = 0; n < spheres_.size(); n++) {
+    const auto &s = spheres_[n];
+    const double part = weight[s.body] > 0. ? fluid_[s.atom][DRAG]/weight[s.body] : s.fraction;
+    for (int k = 0; k < 3; k++) shares_[3*n+k] += part*rest[3*s.body+k];
   }
 }
 
@@ -422,24 +448,36 @@ void FixCoupleFoam::take_answer()
   const double *f = loaded ? answer_[Field::force] : NULL;
   const double none[3] = {0.,0.,0.};
 
-  for (int i = 0; i < atom->nlocal; i++) {
-    const int slot = fluid_[i][SLOT];
-    if (slot < 0) continue;
+  auto keep = [&](int i, int slot) {
     fluid_[i][DRAG] = K[slot];
     for (int k = 0; k < 3; k++) {
       fluid_[i][VELOCITY+k] = u[3*slot+k];
       fluid_[i][LOAD+k] = loaded ? f[3*slot+k] : 0.;
     }
-  }
+  };
 
-  if (spheres_.empty()) return;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int slot = fluid_[i][SLOT];
+    if (slot >= 0) keep(i,slot);
+  }
+  if (!bodies_) return;
+
+  // the body's owner knows its spheres' answers; each sphere takes its own along
+  if (comm->nprocs > 1)
+    for (int i = 0; i < atom->nlocal + atom->nghost; i++)
+      if (i >= atom->nlocal || bodies_->belongs_to(i) >= 0)
+        std::fill(fluid_[i] + DRAG,fluid_[i] + FORCE,0.);
+
   std::vector<BodyDrag> drag(bodies_->n_body());
   int slot = sent_.size() - spheres_.size();
   for (const auto &s : spheres_) {
+    keep(s.atom,slot);
     drag[s.body].add_sphere(s.r,K[slot],u + 3*slot,loaded ? f + 3*slot : none);
     slot++;
   }
   for (size_t b = 0; b < drag.size(); b++) bodies_->set_drag(b,drag[b]);
+
+  if (comm->nprocs > 1) comm->reverse_comm_fix(this);
 }
 
 /* ----------------------------------------------------------------------
@@ -502,4 +540,34 @@ int FixCoupleFoam::unpack_exchange(int nlocal, double *buf)
 {
   std::copy(buf,buf + SIZE,fluid_[nlocal]);
   return SIZE;
+}
+
+/* ----------------------------------------------------------------------
+   what the fluid does to a sphere, between its owner and its ghosts
+------------------------------------------------------------------------- */
+
+int FixCoupleFoam::pack_comm(int n, int *list, double *buf, int, int *)
+{
+  for (int m = 0; m < n; m++)
+    buf = std::copy(fluid_[list[m]] + DRAG,fluid_[list[m]] + FORCE,buf);
+  return comm_forward;
+}
+
+void FixCoupleFoam::unpack_comm(int n, int first, double *buf)
+{
+  for (int i = first; i < first + n; i++, buf += comm_forward)
+    std::copy(buf,buf + comm_forward,fluid_[i] + DRAG);
+}
+
+int FixCoupleFoam::pack_reverse_comm(int n, int first, double *buf)
+{
+  for (int i = first; i < first + n; i++)
+    buf = std::copy(fluid_[i] + DRAG,fluid_[i] + FORCE,buf);
+  return comm_reverse;
+}
+
+void FixCoupleFoam::unpack_reverse_comm(int n, int *list, double *buf)
+{
+  for (int m = 0; m < n; m++)
+    for (int k = DRAG; k < FORCE; k++) fluid_[list[m]][k] += *buf++;
 }

@@ -48,9 +48,13 @@ class FixCoupleFoam : public Fix {
   void set_arrays(int);
   int pack_exchange(int, double *);
   int unpack_exchange(int, double *);
+  int pack_comm(int, int *, double *, int, int *);
+  void unpack_comm(int, int, double *);
+  int pack_reverse_comm(int, int, double *);
+  void unpack_reverse_comm(int, int *, double *);
 
  private:
-  // what is kept of the fluid, per free sphere
+  // what is kept of the fluid, per sphere; FORCE and IMPULSE of free ones only
   enum { DRAG = 0, VELOCITY = 1, LOAD = 4, FORCE = 7, IMPULSE = 10, SLOT = 13, SIZE = 14 };
 
   void parse(int, char **);
@@ -63,6 +67,7 @@ class FixCoupleFoam : public Fix {
   void send(bool last);
   void take_answer();
   void gather();
+  void share_impulses();
   void check_finite();
   void apply(bool setupflag);
   bool free_sphere(int i) const;
@@ -80,7 +85,9 @@ class FixCoupleFoam : public Fix {
 
   std::unique_ptr<clay::DemSession> session_;
   clay::Particles sent_, answer_;
-  std::vector<FixMultisphereClump::Sphere> spheres_;
+  std::vector<FixMultisphereClump::Sphere> spheres_;  // of the bodies owned here
+  std::vector<double> shares_;   // impulse of each of them [N s]
+  double last_time_;             // of the last exchange [s]
   std::unique_ptr<CouplingReport> report_;
 };
 

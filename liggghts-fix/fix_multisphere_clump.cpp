@@ -128,7 +128,9 @@ void FixMultisphereClump::spheres(std::vector<Sphere> &list)
     *multisphere_.prop().getElementProperty<VectorContainer<double,3> >("ey_space");
   VectorContainer<double,3> &ez =
     *multisphere_.prop().getElementProperty<VectorContainer<double,3> >("ez_space");
+  if (atom->nghost) fix_volumeweight_ms_->do_forward_comm();
   const double *weight = fix_volumeweight_ms_->vector_atom;
+  std::vector<double> total(multisphere_.n_body(),0.);
 
   const int nall = atom->nlocal + atom->nghost;
   for (int i = 0; i < nall; i++) {
@@ -140,8 +142,11 @@ void FixMultisphereClump::spheres(std::vector<Sphere> &list)
     s.body = ibody;
     s.fraction = weight[i];
     MathExtra::matvec(ex(ibody),ey(ibody),ez(ibody),displace_[i],s.r);
+    total[ibody] += s.fraction;
     list.push_back(s);
   }
+  // a stock template's weights are random estimates
+  for (size_t n = 0; n < list.size(); n++) list[n].fraction /= total[list[n].body];
 }
 
 /* ---------------------------------------------------------------------- */

@@ -71,12 +71,19 @@ void Foam::fluidSolver::balanceOnWalls
 
 Foam::tmp<Foam::surfaceScalarField> Foam::fluidSolver::faceInertia
 (
-    const particleCoupling& coupling
+    const particleCoupling& coupling,
+    const volScalarField& rAU
 ) const
 {
+    const volScalarField inertia
+    (
+        "inertia",
+        rAU*coupling.nOld()/runTime_.deltaT()
+    );
+
     return
-        fvc::interpolate(coupling.nOld(), "interpolate(voidfraction)")
-       *(phi_.oldTime() - fvc::flux(U_.oldTime()))/runTime_.deltaT();
+        fvc::interpolate(inertia, "interpolate(HbyA)")*phi_.oldTime()
+      - fvc::flux(inertia*U_.oldTime());
 }
 
 
@@ -149,7 +156,7 @@ void Foam::fluidSolver::correctPressure
     (
         "phiHbyA",
         fvc::flux(HbyA)
-      + rAUf*faceInertia(coupling)
+      + faceInertia(coupling, rAU)
       + rAUf*balanced
     );
     surfaceScalarField nPhiHbyA("nPhiHbyA", nf*phiHbyA);

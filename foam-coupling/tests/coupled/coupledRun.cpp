@@ -116,7 +116,7 @@ double CoupledRun::lastVelocity(int component) const {
   return history().back()["velocity"][static_cast<std::size_t>(component)];
 }
 
-std::array<double, 3> CoupledRun::meanOfField(const std::string& field) const {
+std::vector<std::array<double, 3>> CoupledRun::values(const std::string& field) const {
   double latest = -1;
   fs::path file;
   for (const auto& entry : fs::directory_iterator(path_)) {
@@ -140,15 +140,19 @@ std::array<double, 3> CoupledRun::meanOfField(const std::string& field) const {
     const auto before = text.find_last_not_of("0123456789", last);
     count = std::stol(text.substr(before + 1));
   }
-  std::array<double, 3> sum{};
-  for (long i = 0; i < count; ++i) {
+  std::vector<std::array<double, 3>> all(static_cast<std::size_t>(count));
+  for (auto& value : all) {
     is.ignore(1000, '(');
-    for (double& s : sum) {
-      double x;
-      is >> x;
-      s += x / static_cast<double>(count);
-    }
+    for (double& x : value) is >> x;
     is.ignore(1000, ')');
   }
-  return sum;
+  return all;
+}
+
+std::array<double, 3> CoupledRun::meanOfField(const std::string& field) const {
+  const auto all = values(field);
+  std::array<double, 3> mean{};
+  for (const auto& value : all)
+    for (std::size_t c = 0; c < 3; ++c) mean[c] += value[c] / static_cast<double>(all.size());
+  return mean;
 }

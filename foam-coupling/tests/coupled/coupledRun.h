@@ -43,6 +43,8 @@ class CoupledRun {
   nlohmann::json history() const;
   /// z velocity at the last exchange [m/s].
   double lastVelocity(int component = 2) const;
+  /// A written vector field of the last time, cell by cell (one value if uniform).
+  std::vector<std::array<double, 3>> values(const std::string& field) const;
   /// Mean over the cells of a written vector field of the last time.
   std::array<double, 3> meanOfField(const std::string& field) const;
   const std::filesystem::path& path() const { return path_; }

@@ -64,7 +64,8 @@ class Suspension {
  public:
   explicit Suspension(const Settings& s)
       : radius_(s.number("radius", 1e-3)), gravity_(s.vec("gravity", {})),
-        lo_(s.vec("lo", {})), hi_(s.vec("hi", {})), wrap_(s.vec("wrap", {})) {
+        lo_(s.vec("lo", {})), hi_(s.vec("hi", {})), wrap_(s.vec("wrap", {})),
+        frozen_(s.number("frozen", 0) > 0) {
     volume_ = 4 / 3. * M_PI * radius_ * radius_ * radius_;
     mass_ = volume_ * s.number("density", 2600);
     const Vec n = s.vec("count", {1, 1, 1});
@@ -98,8 +99,12 @@ class Suspension {
       const double* F = answer[Field::force] + 3 * i;
       for (int c = 0; c < 3; ++c) {
         const double other = mass_ * gravity_[c] + F[c];
-        const double dv = (u[c] + other / K - p.v[c]) * -std::expm1(-K * dt / mass_);
-        const double impulse = mass_ * dv - mass_ * gravity_[c] * dt;
+        double dv = (u[c] + other / K - p.v[c]) * -std::expm1(-K * dt / mass_);
+        double impulse = mass_ * dv - mass_ * gravity_[c] * dt;
+        if (frozen_) {
+          dv = 0;
+          impulse = (K * (u[c] - p.v[c]) + F[c]) * dt;
+        }
         p.v[c] += dv;
         p.x[c] += p.v[c] * dt;
         if (wrap_[c] > 0) {
@@ -192,6 +197,7 @@ class Suspension {
  private:
   double radius_, volume_, mass_;
   Vec gravity_, lo_, hi_, wrap_;
+  bool frozen_;
   long total_ = 0;
 };
 

@@ -192,6 +192,26 @@ INSTANTIATE_TEST_SUITE_P(
                     Limit{1, 1, false}, Limit{100, 1e-3, true}, Limit{100, 0.1, true},
                     Limit{100, 1, true}, Limit{100, 1e4, true}, Limit{100, 1e4, false}));
 
+// Spheres at rest, half as large as a cell, next to clear fluid: they can only
+// brake a flow
+TEST(Bed, BrakesTheFluid) {
+  auto run = CoupledRun("bed");
+  run.box("x1 0.04; y1 0.04; z1 0.05; nx 10; ny 10; nz 5; U0 (0.1 0 0.1);");
+  run.dem("hi", "0.04,0.04,0.05").dem("from", "0,0,0").dem("to", "0.04,0.04,0.023");
+  run.dem("count", "17,17,10").dem("frozen", 1).dem("gravity", "0,0,-9.81").dem("steps", 12000);
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+  double below = 0, above = 0;
+  const auto U = run.values("U");
+  ASSERT_EQ(U.size(), 500u);
+  for (std::size_t i = 0; i < U.size(); ++i) {
+    const double speed = std::hypot(U[i][0], U[i][1], U[i][2]);
+    (i < 200 ? below : above) = std::max(i < 200 ? below : above, speed);
+  }
+  EXPECT_LT(below, 0.02);
+  EXPECT_LT(above, 0.1);
+  expectBalanced(run);
+}
+
 TEST(Parallel, TwoRanksGiveTheSameAsOne) {
   double v[3];
   for (int cfd : {1, 2}) {

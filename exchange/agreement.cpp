@@ -107,6 +107,16 @@ std::string gravities(const DemTerms& dem, const CfdTerms& cfd) {
   return "";
 }
 
+// A mesh in millimetres may well hold the whole DEM box: it is told by its size
+std::string boxes(const DemTerms& dem, const CfdTerms& cfd) {
+  if (!stated(dem.box) || !stated(cfd.box)) return "";
+  const bool disjoint = apart(dem.box, cfd.box);
+  const std::string hint = unitHint(dem.box, cfd.box);
+  if (!disjoint && hint.empty()) return "";
+  return "the DEM box " + text(dem.box) + " m and the mesh " + text(cfd.box) + " m " +
+         (disjoint ? "do not overlap" : "differ too much in size") + hint;
+}
+
 std::string fields(const DemTerms& dem, const CfdTerms& cfd) {
   const FieldSet cfdLacks = cfd.needs.without(dem.offers);
   if (!cfdLacks.empty())
@@ -130,22 +140,13 @@ std::string disagreement(const DemTerms& dem, const CfdTerms& cfd) {
     const std::string line = check(dem, cfd);
     if (!line.empty()) return line;
   }
-  if (stated(dem.box) && stated(cfd.box) && apart(dem.box, cfd.box))
-    return "the DEM box " + text(dem.box) + " m and the mesh " + text(cfd.box) +
-           " m do not overlap" + unitHint(dem.box, cfd.box);
-  return "";
+  return boxes(dem, cfd);
 }
 
-std::vector<std::string> warnings(const DemTerms& dem, const CfdTerms& cfd) {
+std::vector<std::string> warnings(const DemTerms& dem, const CfdTerms&) {
   std::vector<std::string> lines;
   if (!dem.hasGravity)
     lines.push_back("the DEM half has no gravity: particles get no weight and no buoyancy");
-  if (stated(dem.box) && stated(cfd.box) && !apart(dem.box, cfd.box)) {
-    const std::string hint = unitHint(dem.box, cfd.box);
-    if (!hint.empty())
-      lines.push_back("the DEM box " + text(dem.box) + " m and the mesh " + text(cfd.box) +
-                      " m differ much in size" + hint);
-  }
   return lines;
 }
 

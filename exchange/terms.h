@@ -58,7 +58,7 @@ struct CfdTerms {
 /// Says in one line what does not fit, naming both values; empty when all fits.
 std::string disagreement(const DemTerms&, const CfdTerms&);
 
-/// What fits but looks odd, a line each (no gravity, a mesh 1000 times the box).
+/// What fits but looks odd, a line each (no gravity).
 std::vector<std::string> warnings(const DemTerms&, const CfdTerms&);
 
 /// The terms as text for the wire, and back. Reading the terms of the wrong

@@ -209,9 +209,10 @@ TEST_F(Agreement, OfUnits) {
   EXPECT_TRUE(says(line(), "is the mesh in millimetres?"));
   for (double& x : cfd.box.lo) x -= 5000;
   for (double& x : cfd.box.hi) x -= 5000;
+  EXPECT_TRUE(says(line(), "m differ too much in size; is the mesh in millimetres?"));
+  for (double& x : cfd.box.lo) x /= 100;
+  for (double& x : cfd.box.hi) x /= 100;
   EXPECT_EQ(line(), "");
-  ASSERT_EQ(clay::warnings(dem, cfd).size(), 1u);
-  EXPECT_TRUE(says(clay::warnings(dem, cfd)[0], "is the mesh in millimetres?"));
 }
 
 TEST_F(Agreement, OfFields) {

@@ -234,7 +234,10 @@ void FixCoupleFoam::open()
   try {
     const clay::DemTerms mine = terms();
     if (session_) session_->resume(mine);
-    else session_.reset(new clay::DemSession(mine));
+    else {
+      session_.reset(new clay::DemSession(mine));
+      for (const std::string &odd : clay::warnings(mine,session_->peer())) report_->warn(odd);
+    }
   } catch (clay::Refusal &refusal) {
     error->all(FLERR,refusal.what());
   }

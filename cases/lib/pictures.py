@@ -54,6 +54,19 @@ def _cut(case, folder, radius, height, centres):
     return speed, ax, az, arrows[:, 0].reshape(ax.shape), arrows[:, 2].reshape(ax.shape)
 
 
+def telling(folder, times, count):
+    """Indices of `count` of the times [s] at equal distances along the curve of
+    mean height over time, both in parts of the whole: many while the clay
+    falls, few while it rests. The first and the last time are among them."""
+    rows = np.genfromtxt(os.path.join(folder, "settling.csv"), delimiter=",", names=True)
+    if len(times) <= count or rows.size < 2:
+        return np.arange(len(times))
+    height = np.interp(times, rows["time_s"], rows["mean_height_m"])
+    way = np.diff(times) / np.ptp(times) + np.abs(np.diff(height)) / max(np.ptp(height), 1e-12)
+    way = np.concatenate([[0.0], np.cumsum(way)])
+    return np.unique([np.abs(way - s).argmin() for s in np.linspace(0, way[-1], count)])
+
+
 def columns(folder, values, title, count=6):
     """The column at six times: clumps, and beside them a cut of the flow."""
     radius, height, step = values["tube_radius"], values["tube_height"], values["dem_step"]
@@ -62,7 +75,7 @@ def columns(folder, values, title, count=6):
     flows = openfoam.times(cfd)
     if not moments or not flows:
         return
-    chosen = [moments[i] for i in np.unique(np.linspace(0, len(moments) - 1, count).round().astype(int))]
+    chosen = [moments[i] for i in telling(folder, [n * step for n, _ in moments], count)]
     centres = openfoam.cell_centres(os.path.join(cfd, "constant", "polyMesh"))
     cuts = []
     for number, _ in chosen:

@@ -23,6 +23,10 @@ using namespace LAMMPS_NS;
 
 namespace {
 
+using Eigen::Map;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
 const double infinity = std::numeric_limits<double>::infinity();
 
 PairGran *granular(LAMMPS *lmp)
@@ -128,17 +132,24 @@ double LAMMPS_NS::present_step_limit(LAMMPS *lmp, int *contacts)
   Atom &atom = *lmp->atom;
   FixMultisphere *ms = static_cast<FixMultisphere *>(lmp->modify->find_fix_style("multisphere", 0));
 
-  // of each body: centre of mass, mass, least moment of inertia; from its owner
+  // of each body: centre of mass, mass, tensor of inertia in space axes; from its owner
   const int nbody = ms ? ms->tag_max_body() + 1 : 0;
-  enum { CENTRE = 0, MASS = 3, INERTIA = 4, WIDTH = 5 };
+  enum { CENTRE = 0, MASS = 3, LEAST = 4, INERTIA = 5, WIDTH = 14 };
   std::vector<double> body(WIDTH * nbody, 0.0);
   if (ms) {
-    VectorContainer<double,3> *moments = ms->data().prop().getElementProperty<VectorContainer<double,3> >("inertia");
+    const auto vectors = [ms](const char *name) {
+      return ms->data().prop().getElementProperty<VectorContainer<double,3> >(name)->begin();
+    };
+    double **moments = vectors("inertia"), **ex = vectors("ex_space"), **ey = vectors("ey_space"),
+           **ez = vectors("ez_space");
     for (int b = 0; b < ms->n_body(); b++) {
       double *kept = &body[WIDTH * ms->data().tag(b)];
       ms->data().xcm(kept, b);
       kept[MASS] = ms->data().mass(b);
-      kept[INERTIA] = *std::min_element(moments->begin()[b], moments->begin()[b] + 3);
+      kept[LEAST] = *std::min_element(moments[b], moments[b] + 3);
+      Matrix3d axes;
+      axes << Map<Vector3d>(ex[b]), Map<Vector3d>(ey[b]), Map<Vector3d>(ez[b]);
+      Map<Matrix3d>(kept + INERTIA) = axes * Map<Vector3d>(moments[b]).asDiagonal() * axes.transpose();
     }
   }
   MPI_Allreduce(MPI_IN_PLACE, body.data(), body.size(), MPI_DOUBLE, MPI_SUM, lmp->world);
@@ -146,6 +157,7 @@ double LAMMPS_NS::present_step_limit(LAMMPS *lmp, int *contacts)
   // sums of the contacts of each body, and at once of each free sphere
   enum { K = 0, C = 1, COUNT = 2, SUMS = 3 };
   std::vector<double> sums(SUMS * nbody, 0.0), free(SUMS * atom.nlocal, 0.0);
+  std::vector<clay::ContactMatrices> matrices(nbody);
   const auto add = [&](int i, const double *at, const clay::ContactCoefficients &c, bool fixed) {
     if (i >= atom.nlocal) return;
     const int b = ms ? ms->belongs_to(i) : -1;
@@ -154,7 +166,7 @@ double LAMMPS_NS::present_step_limit(LAMMPS *lmp, int *contacts)
     if (b >= 0) {
       centre = &body[WIDTH * b];
       m = body[WIDTH * b + MASS];
-      inertia = body[WIDTH * b + INERTIA];
+      inertia = body[WIDTH * b + LEAST];
     }
     for (int d = 0; d < 3; d++) arm2 += (at[d] - centre[d]) * (at[d] - centre[d]);
     const double share = (fixed ? 1 : 2) * (1 / m + arm2 / inertia);
@@ -162,6 +174,9 @@ double LAMMPS_NS::present_step_limit(LAMMPS *lmp, int *contacts)
     s[K] += share * std::max(c.kn, c.kt);
     s[C] += share * std::max(c.cn, c.ct);
     s[COUNT] += 1;
+    if (b < 0) return;
+    const Vector3d point = Map<const Vector3d>(at), normal = point - Map<const Vector3d>(atom.x[i]);
+    matrices[b].add({point - Map<const Vector3d>(centre), normal.normalized(), c, fixed});
   };
 
   const NeighList *list = gran->list;
@@ -193,16 +208,28 @@ double LAMMPS_NS::present_step_limit(LAMMPS *lmp, int *contacts)
       add(i, at, model.between(atom.type[i], w->atom_type_wall(), atom.rmass[i], atom.radius[i]), true);
     }
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM, lmp->world);
+  MPI_Allreduce(MPI_IN_PLACE, matrices.data(), matrices.size() * sizeof(clay::ContactMatrices) / sizeof(double),
+                MPI_DOUBLE, MPI_SUM, lmp->world);
 
+  // every processor knows all of the bodies, and its own free spheres
   struct { double step; int contacts; } mine = { infinity, 0 }, least;
-  const auto look = [&mine](const std::vector<double> &all) {
-    for (std::size_t s = 0; s < all.size(); s += SUMS) {
-      const double step = clay::oscillatorStep(all[s + K], all[s + C]);
-      if (step < mine.step) { mine.step = step; mine.contacts = static_cast<int>(all[s + COUNT]); }
-    }
-  };
-  look(sums);
-  look(free);
+  for (std::size_t s = 0; s < free.size(); s += SUMS) {
+    const double step = clay::oscillatorStep(free[s + K], free[s + C]);
+    if (step < mine.step) { mine.step = step; mine.contacts = static_cast<int>(free[s + COUNT]); }
+  }
+  // the cheap bounds first: once they are above the best, so are all that follow
+  std::vector<std::pair<double, int>> order;
+  for (int b = 0; b < nbody; b++)
+    if (sums[SUMS * b + COUNT] > 0)
+      order.emplace_back(clay::oscillatorStep(sums[SUMS * b + K], sums[SUMS * b + C]), b);
+  std::sort(order.begin(), order.end());
+  for (const auto &next : order) {
+    if (next.first >= mine.step) break;
+    const int b = next.second;
+    const double *kept = &body[WIDTH * b];
+    const double step = matrices[b].step(kept[MASS], Map<const Matrix3d>(kept + INERTIA));
+    if (step < mine.step) { mine.step = step; mine.contacts = static_cast<int>(sums[SUMS * b + COUNT]); }
+  }
   MPI_Allreduce(&mine, &least, 1, MPI_DOUBLE_INT, MPI_MINLOC, lmp->world);
   if (contacts) *contacts = least.contacts;
   return least.step;

@@ -36,8 +36,9 @@ class ContactModel {
 /// To be called after init, on all processors.
 double resting_step_limit(LAMMPS *lmp, std::string *which = nullptr);
 
-/// Largest stable step [s] by the contacts there are now, a safe bound; and
-/// the number of contacts of the body it is due to. On all processors.
+/// Largest stable step [s] by the contacts there are now, and the number of
+/// contacts of the body it is due to. Bodies whose cheap bound is no hindrance
+/// are not looked at closer. On all processors.
 double present_step_limit(LAMMPS *lmp, int *contacts = nullptr);
 
 }

@@ -44,21 +44,23 @@ double oscillatorStep(double k, double c)
   return 1 / (0.25 * c + std::sqrt(0.0625 * c * c + 0.25 * k));
 }
 
-double stableStep(double mass, const Matrix3d& inertia, const std::vector<BodyContact>& contacts)
+void ContactMatrices::add(const BodyContact& b)
 {
-  if (contacts.empty()) return std::numeric_limits<double>::infinity();
-  Matrix6d M = Matrix6d::Zero(), K = Matrix6d::Zero(), C = Matrix6d::Zero();
+  Eigen::Matrix<double, 3, 6> J;  // velocity of the contact point
+  J << Matrix3d::Identity(), -crossMatrix(b.arm);
+  const Matrix3d nn = b.normal * b.normal.transpose(), tt = Matrix3d::Identity() - nn;
+  const ContactCoefficients& c = b.coefficients;
+  const double times = b.fixed ? 1 : 2;
+  K += times * J.transpose() * (c.kn * nn + c.kt * tt) * J;
+  C += times * J.transpose() * (c.cn * nn + c.ct * tt) * J;
+}
+
+double ContactMatrices::step(double mass, const Matrix3d& inertia) const
+{
+  if (K.isZero(0) && C.isZero(0)) return std::numeric_limits<double>::infinity();
+  Matrix6d M = Matrix6d::Zero();
   M.topLeftCorner<3, 3>() = mass * Matrix3d::Identity();
   M.bottomRightCorner<3, 3>() = inertia;
-  for (const BodyContact& b : contacts) {
-    Eigen::Matrix<double, 3, 6> J;  // velocity of the contact point
-    J << Matrix3d::Identity(), -crossMatrix(b.arm);
-    const Matrix3d nn = b.normal * b.normal.transpose(), tt = Matrix3d::Identity() - nn;
-    const ContactCoefficients& c = b.coefficients;
-    const double times = b.fixed ? 1 : 2;
-    K += times * J.transpose() * (c.kn * nn + c.kt * tt) * J;
-    C += times * J.transpose() * (c.cn * nn + c.ct * tt) * J;
-  }
   const auto largest = [&M](const Matrix6d& A) {
     return Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6d>(A, M, Eigen::EigenvaluesOnly)
         .eigenvalues().maxCoeff();
@@ -70,6 +72,13 @@ double stableStep(double mass, const Matrix3d& inertia, const std::vector<BodyCo
     (largest(0.25 * dt * dt * K + 0.5 * dt * C) < 1 ? lo : hi) = dt;
   }
   return lo;
+}
+
+double stableStep(double mass, const Matrix3d& inertia, const std::vector<BodyContact>& contacts)
+{
+  ContactMatrices all;
+  for (const BodyContact& b : contacts) all.add(b);
+  return all.step(mass, inertia);
 }
 
 void ContactSum::add(double arm2, const ContactCoefficients& c, bool fixed)

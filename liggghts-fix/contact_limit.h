@@ -34,6 +34,16 @@ struct BodyContact {
 double stableStep(double mass, const Eigen::Matrix3d& inertia,
                   const std::vector<BodyContact>& contacts);
 
+/// The 6 x 6 stiffness and damping of a body's contacts, about its centre of
+/// mass: they add up contact by contact, on whichever processor that is known.
+struct ContactMatrices {
+  Eigen::Matrix<double, 6, 6> K = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Matrix<double, 6, 6> C = Eigen::Matrix<double, 6, 6>::Zero();
+  void add(const BodyContact& contact);
+  /// Step [s] at which the body becomes unstable.
+  double step(double mass, const Eigen::Matrix3d& inertia) const;
+};
+
 /// A bound of the same, never above it, from sums that cost next to nothing
 /// while running: every contact as if at its worst direction.
 class ContactSum {

@@ -179,7 +179,7 @@ void FixCoupleFoam::watch_contact_limit()
   warned_ = true;
   char text[256];
   snprintf(text,sizeof text,
-           "timestep %g s is above %.3g s, a safe bound for a body with %d contacts at step " BIGINT_FORMAT,
+           "timestep %g s is above %.3g s, the contact limit of a body with %d contacts at step " BIGINT_FORMAT,
            update->dt,limit,contacts,update->ntimestep);
   report_->warn(text);
 }

@@ -86,7 +86,8 @@ std::string times(const DemTerms& dem, const CfdTerms& cfd) {
            text(cfd.startTime) + " s in the CFD half";
   if (cfd.endTime && differ(dem.endTime, *cfd.endTime, 0.5 * dem.step))
     return "the end times differ: " + text(dem.endTime) + " s in the DEM half, " +
-           text(*cfd.endTime) + " s in the CFD half";
+           text(*cfd.endTime) +
+           " s in the CFD half, which follows the DEM half's runs if its case states none";
   const double interval = dem.step * static_cast<double>(dem.interval);
   if (cfd.couplingInterval && differ(interval, *cfd.couplingInterval, 1e-6 * interval))
     return "the coupling intervals differ: " + text(interval) + " s (" +

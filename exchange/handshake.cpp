@@ -34,6 +34,8 @@ BothTerms shakeHands(Half half, const std::string& myTerms) {
   if (!world.ready() || world.programs() != 2)
     throw Refusal("started alone: a coupled run is `mpirun -np N liggghts-clay ... : "
                   "-np M clayFoam ...`");
+  if (stage() == Stage::parted)
+    throw Refusal("the coupled run is over: the other half has ended, none can begin");
   setHalf(half);
   silenceLimit();
   const int tag = wire::tagTerms;

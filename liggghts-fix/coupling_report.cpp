@@ -47,12 +47,18 @@ void CouplingReport::warn(const std::string &text)
 void CouplingReport::start()
 {
   began_ = last_line_ = MPI_Wtime();
+  bigint n = atom->nlocal, all;
+  MPI_Allreduce(&n,&all,1,MPI_LMP_BIGINT,MPI_SUM,world);
+  particles_ = std::max<long>(particles_,all);
   if (counted_) return;
   counted_ = true;
   start_time_ = update->get_cur_time();
-  bigint n = atom->nlocal, all;
-  MPI_Allreduce(&n,&all,1,MPI_LMP_BIGINT,MPI_SUM,world);
-  particles_ = all;
+
+  // a place that cannot be written to is told before the run, not after
+  int bad = !comm->me && !file_.empty() && !std::ofstream(file_);
+  MPI_Bcast(&bad,1,MPI_INT,0,world);
+  if (bad)
+    error->all(FLERR,("Fix couple/foam: cannot write the stats file '" + file_ + "'").c_str());
 }
 
 /* ----------------------------------------------------------------------
@@ -153,7 +159,7 @@ void CouplingReport::finish(const clay::DemSession &session, int interval)
   j["exchanges"] = timing.exchanges;
   j["bytes_sent"] = bytes;
   j["particles"] = particles_;
-  j["particles_lost"] = particles_ - long(now);
+  j["particles_lost"] = std::max(0L,particles_ - long(now));
   j["clumps"] = clumps;
   j["max_overlap_over_d"] = worst[4];
   j["settings"] = {{"timestep_s",update->dt}, {"coupling_interval_steps",interval},

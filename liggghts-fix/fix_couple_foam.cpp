@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 
 #include "atom.h"
@@ -31,7 +32,7 @@ using clay::Field;
 
 FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
-  interval_(0), dt_(0.), idle_(false), pending_(false), check_limit_(true),
+  interval_(0), dt_(0.), idle_(false), opened_(-1), pending_(false), check_limit_(true),
   warned_(false), exchanges_(0),
   bodies_(NULL), fluid_(NULL), last_time_(0.)
 {
@@ -40,6 +41,8 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
 
   nevery = 1;
   time_depend = 1;
+  create_attribute = 1;   // set_arrays for particles inserted within a run
+  restart_global = 1;     // the clock, which LIGGGHTS does not restart
   comm_forward = comm_reverse = FORCE - DRAG;
   grow_arrays(atom->nmax);
   atom->add_callback(0);
@@ -51,8 +54,22 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
 FixCoupleFoam::~FixCoupleFoam()
 {
   if (session_) session_->close();
+  Fix *ms = modify ? modify->find_fix_style("multisphere",0) : NULL;
+  if (FixMultisphereClump *bodies = dynamic_cast<FixMultisphereClump*>(ms)) bodies->uncouple();
   atom->delete_callback(id,0);
   memory->destroy(fluid_);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixCoupleFoam::whole_number(const char *text)
+{
+  char *end = NULL;
+  const long value = strtol(text,&end,10);
+  if (*end || value < 1 || value > 100000000)
+    error->all(FLERR,(std::string("Fix couple/foam: every is '") + text + "'; a whole number of "
+                      "DEM steps from 1 to 100000000 is wanted").c_str());
+  return value;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -68,7 +85,7 @@ void FixCoupleFoam::parse(int narg, char **arg)
       error->all(FLERR,(std::string("Fix couple/foam: keyword '") + arg[iarg] +
                         "' needs a value").c_str());
     const std::string key = arg[iarg], value = arg[iarg+1];
-    if (key == "every") interval_ = force->inumeric(FLERR,arg[iarg+1]);
+    if (key == "every") interval_ = whole_number(arg[iarg+1]);
     else if (key == "stats") stats = value;
     else if (key == "progress") seconds = force->numeric(FLERR,arg[iarg+1]);
     else if (key == "contact_limit") {
@@ -82,7 +99,7 @@ void FixCoupleFoam::parse(int narg, char **arg)
     iarg += 2;
   }
   if (interval_ < 1)
-    error->all(FLERR,"Fix couple/foam: 'every N' is missing or below 1; "
+    error->all(FLERR,"Fix couple/foam: 'every N' is missing; "
                      "N is the number of DEM steps between two exchanges");
   report_.reset(new CouplingReport(lmp,stats,seconds));
 }
@@ -91,7 +108,8 @@ void FixCoupleFoam::parse(int narg, char **arg)
 
 int FixCoupleFoam::setmask()
 {
-  return PRE_EXCHANGE | PRE_FORCE | POST_FORCE | END_OF_STEP;
+  // PRE_FORCE stands for setup_pre_force()
+  return POST_INTEGRATE | PRE_EXCHANGE | PRE_FORCE | POST_FORCE | END_OF_STEP;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -115,6 +133,10 @@ void FixCoupleFoam::init()
   if (ms && !bodies_)
     error->all(FLERR,(std::string("Fix couple/foam: clumps need 'fix multisphere/clump'; the script has 'fix ") +
                       ms->style + "'").c_str());
+  if (bodies_ && igroup != 0)
+    error->all(FLERR,"Fix couple/foam: with clumps its group must be 'all'");
+  if (strstr(update->integrate_style,"respa"))
+    error->all(FLERR,"Fix couple/foam: works with run_style verlet, not with respa");
   if (bodies_) bodies_->couple();
 
   check_order();
@@ -143,11 +165,12 @@ void FixCoupleFoam::check_interval()
 {
   const bigint steps = update->laststep - update->firststep;
   if (steps % interval_) {
-    char text[256];
+    const bigint below = steps/interval_*interval_;
+    char text[256], choice[64] = "";
+    if (below) snprintf(choice,sizeof choice,BIGINT_FORMAT " or ",below);
     snprintf(text,sizeof text,
              "Fix couple/foam: run of " BIGINT_FORMAT " steps is no multiple of the coupling interval "
-             "'every %d'; " BIGINT_FORMAT " or " BIGINT_FORMAT " steps would be",
-             steps,interval_,steps/interval_*interval_,(steps/interval_ + 1)*interval_);
+             "'every %d'; %s" BIGINT_FORMAT " steps would be",steps,interval_,choice,below + interval_);
     error->all(FLERR,text);
   }
 }
@@ -173,9 +196,10 @@ void FixCoupleFoam::check_contact_limit()
 
 void FixCoupleFoam::watch_contact_limit()
 {
+  if (warned_) return;
   int contacts = 0;
   const double limit = present_step_limit(lmp,&contacts);
-  if (warned_ || update->dt <= limit) return;
+  if (update->dt <= limit) return;
   warned_ = true;
   char text[256];
   snprintf(text,sizeof text,
@@ -250,6 +274,7 @@ void FixCoupleFoam::open()
 void FixCoupleFoam::setup_pre_force(int)
 {
   idle_ = update->laststep == update->firststep;
+  opened_ = update->laststep;
   if (idle_) return;
   report_->start();
   open();
@@ -262,6 +287,40 @@ void FixCoupleFoam::setup_pre_force(int)
 void FixCoupleFoam::setup(int)
 {
   if (!idle_) apply(true);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::post_integrate()
+{
+  if (update->laststep != opened_)
+    error->all(FLERR,"Fix couple/foam: 'run ... pre no' starts without its set-up, which the coupling needs; leave out 'pre no'");
+  if (!pending_) return;
+  // a fix that stands above may insert or delete particles in pre_exchange
+  for (int i = 0; i < modify->nfix; i++)
+    if (modify->fix[i]->force_reneighbor && modify->fix[i]->next_reneighbor == update->ntimestep) {
+      take_answer();
+      return;
+    }
+}
+
+/* ----------------------------------------------------------------------
+   LIGGGHTS keeps the step in its restart files, but not the time
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::write_restart(FILE *fp)
+{
+  if (comm->me) return;
+  const int size = sizeof(double);
+  const double time = update->get_cur_time();
+  fwrite(&size,sizeof(int),1,fp);
+  fwrite(&time,sizeof(double),1,fp);
+}
+
+void FixCoupleFoam::restart(char *buf)
+{
+  std::memcpy(&update->atime,buf,sizeof(double));
+  update->atimestep = update->ntimestep;
 }
 
 /* ----------------------------------------------------------------------

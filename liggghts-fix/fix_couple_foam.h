@@ -41,6 +41,9 @@ class FixCoupleFoam : public Fix {
   void post_force(int);
   void end_of_step();
   void post_run();
+  void post_integrate();
+  void write_restart(FILE *);
+  void restart(char *);
 
   double memory_usage();
   void grow_arrays(int);
@@ -57,6 +60,7 @@ class FixCoupleFoam : public Fix {
   // what is kept of the fluid, per sphere; FORCE and IMPULSE of free ones only
   enum { DRAG = 0, VELOCITY = 1, LOAD = 4, FORCE = 7, IMPULSE = 10, SLOT = 13, SIZE = 14 };
 
+  int whole_number(const char *);
   void parse(int, char **);
   void check_interval();
   void check_order();
@@ -75,6 +79,7 @@ class FixCoupleFoam : public Fix {
   int interval_;                 // DEM steps between two exchanges
   double dt_;                    // DEM step at the start of the run [s]
   bool idle_;                    // a run of no steps
+  bigint opened_;                // last step of the run that was set up
   bool pending_;                 // an answer is still to come
   bool check_limit_;             // refuse a step above the contact limit
   bool warned_;                  // of the contacts there are

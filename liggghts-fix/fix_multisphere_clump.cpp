@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "domain.h"
+#include "error.h"
 #include "force.h"
 #include "update.h"
 
@@ -159,6 +160,24 @@ void FixMultisphereClump::set_drag(int ibody, const BodyDrag &drag)
     for (int j = i; j < 6; j++) *packed++ = drag.R(i,j);
   Map<Vector6d>(s + DRIVE) = drag.drive;
   Map<Vector6d>(s + LOAD) = drag.load;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::couple()
+{
+  if (CAdd_ != 0.)
+    error->all(FLERR,"Fix multisphere/clump: CAddRhoFluid gives added mass that the fluid does not know of; "
+                     "leave it out under fix couple/foam");
+  coupled_ = true;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::uncouple()
+{
+  coupled_ = false;
+  for (int b = 0; b < multisphere_.n_body(); b++) stored(b)[OWNER] = 0.0;
 }
 
 /* ---------------------------------------------------------------------- */

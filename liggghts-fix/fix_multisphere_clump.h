@@ -45,7 +45,10 @@ class FixMultisphereClump : public FixMultisphere {
   void take_impulse(int ibody, double *impulse);
 
   /// Switches the fluid on; without it this is plain multisphere.
-  void couple() { coupled_ = true; }
+  void couple();
+
+  /// Switches it off and forgets it.
+  void uncouple();
 
   /// Solid volume [m3] and mass [kg] of a body.
   double body_volume(int ibody) { return multisphere_.volume(ibody); }

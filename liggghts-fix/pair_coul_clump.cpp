@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "atom.h"
@@ -106,6 +107,13 @@ void PairCoulClump::coeff(int narg, char **arg)
 {
   if (narg != 3 || strcmp(arg[0], arg[1]) != 0)
     error->all(FLERR,"Pair coeff for coul/clump: a charge belongs to one type: pair_coeff T T charge");
+  const bool number = strspn(arg[0],"0123456789") == strlen(arg[0]);
+  if (number && (atoi(arg[0]) < 1 || atoi(arg[0]) > atom->ntypes)) {
+    char text[128];
+    snprintf(text,sizeof text,"Pair coeff for coul/clump: atom type %s has a charge, but the box has types 1 to %d",
+             arg[0],atom->ntypes);
+    error->all(FLERR,text);
+  }
   if (!allocated) allocate();
 
   int lo, hi;

@@ -90,6 +90,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fluidSolver::faceInertia
 Foam::tmp<Foam::fvVectorMatrix> Foam::fluidSolver::momentum
 (
     const particleCoupling& coupling,
+    const volScalarField& ddtN,
     fv::options& fvOptions
 )
 {
@@ -99,12 +100,13 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fluidSolver::momentum
         coupling.stressFraction()*turbulence_->nuEff()
     );
 
-    // n dU/dt + n U.grad U: with the continuity equation it conserves n U
+    // with ddtN = (n - nOld)/dt it is (n U - nOld UOld)/dt + div(n phi U): n U
+    // is conserved although nPhi is that of the step before
     tmp<fvVectorMatrix> tUEqn
     (
         coupling.nOld()()*fvm::ddt(U_)
+      + fvm::Sp(ddtN, U_)
       + fvm::div(nPhi_, U_, "div(phi,U)")
-      - fvm::Sp(fvc::div(nPhi_), U_)
       - fvm::laplacian(stress, U_, "laplacian(nuEff,U)")
       - fvc::div
         (
@@ -126,6 +128,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fluidSolver::momentum
 void Foam::fluidSolver::correctPressure
 (
     particleCoupling& coupling,
+    const volScalarField& ddtN,
     const fvVectorMatrix& UEqn,
     const surfaceScalarField& faceSource,
     const volVectorField& remainder
@@ -161,12 +164,9 @@ void Foam::fluidSolver::correctPressure
     );
     surfaceScalarField nPhiHbyA("nPhiHbyA", nf*phiHbyA);
 
-    volScalarField ddtN("ddtN", coupling.ddtN());
     if (p_.needReference())
     {
         adjustPhi(nPhiHbyA, U_, p_);
-        ddtN.primitiveFieldRef() -=
-            gSum(ddtN.primitiveField()*mesh_.V())/gSum(mesh_.V());
     }
 
     constrainPressure(p_, U_, phiHbyA, rAUf);
@@ -210,9 +210,17 @@ void Foam::fluidSolver::step(particleCoupling& coupling)
     const surfaceScalarField sources(faceSource(coupling.source()));
     const volVectorField rest(remainder(coupling.source(), sources));
 
+    // a closed domain's n can not change as a whole
+    volScalarField ddtN("ddtN", coupling.ddtN());
+    if (p_.needReference())
+    {
+        ddtN.primitiveFieldRef() -=
+            gSum(ddtN.primitiveField()*mesh_.V())/gSum(mesh_.V());
+    }
+
     while (pimple_.loop())
     {
-        const tmp<fvVectorMatrix> tUEqn(momentum(coupling, fvOptions));
+        const tmp<fvVectorMatrix> tUEqn(momentum(coupling, ddtN, fvOptions));
         const fvVectorMatrix& UEqn = tUEqn();
 
         if (pimple_.momentumPredictor())
@@ -229,7 +237,7 @@ void Foam::fluidSolver::step(particleCoupling& coupling)
 
         while (pimple_.correct())
         {
-            correctPressure(coupling, UEqn, sources, rest);
+            correctPressure(coupling, ddtN, UEqn, sources, rest);
             coupling.checkFields();
             fvOptions.correct(U_);
         }

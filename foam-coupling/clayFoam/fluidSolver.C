@@ -2,6 +2,24 @@
 
 #include "fluidSolver.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static Switch adjusts(const dictionary& control)
+{
+    return control.lookupOrDefault<Switch>("adjustTimeStep", true);
+}
+
+static scalar maxCo(const dictionary& control)
+{
+    return control.lookupOrDefault<scalar>("maxCo", 0.5);
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::fluidSolver::courantRate() const
@@ -18,13 +36,12 @@ Foam::label Foam::fluidSolver::subSteps(const scalar interval) const
     const dictionary& dict = runTime_.controlDict();
     scalar dt = dict.get<scalar>("deltaT");
 
-    if (dict.lookupOrDefault<Switch>("adjustTimeStep", true))
+    if (adjusts(dict))
     {
-        const scalar maxCo = dict.lookupOrDefault<scalar>("maxCo", 0.5);
         dt = min
         (
             dict.lookupOrDefault<scalar>("maxDeltaT", GREAT),
-            maxCo/max(courantRate(), VSMALL)
+            maxCo(dict)/max(courantRate(), VSMALL)
         );
     }
 
@@ -168,16 +185,15 @@ Foam::dictionary Foam::fluidSolver::settings() const
     dictionary dict;
     const dictionary& control = runTime_.controlDict();
 
-    for
-    (
-        const word& key
-      : {"deltaT", "adjustTimeStep", "maxCo", "maxDeltaT", "writeInterval"}
-    )
+    dict.add("adjustTimeStep", adjusts(control));
+    dict.add("maxCo", maxCo(control));
+    dict.add("maxDeltaT", "unlimited");
+    for (const word& key : {"deltaT", "maxDeltaT", "writeInterval"})
     {
         const entry* e = control.findEntry(key);
         if (e)
         {
-            dict.add(*e);
+            dict.set(e->clone().ptr());
         }
     }
     dict.add("turbulence", turbulence_->type());

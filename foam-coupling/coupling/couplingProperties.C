@@ -72,9 +72,16 @@ static void checkWord
 {
     if (!known.found(value))
     {
+        // of two words none is near
+        const std::string nearest
+        (
+            known.size() > 2
+          ? "; the nearest one is " + nearestWord(value, known)
+          : std::string()
+        );
         FatalIOErrorInFunction(dict)
             << key << " " << value << " is not known; known are "
-            << listed(known).c_str() << exit(FatalIOError);
+            << listed(known).c_str() << nearest.c_str() << exit(FatalIOError);
     }
 }
 
@@ -160,6 +167,27 @@ void Foam::couplingProperties::checkEntries() const
 }
 
 
+void Foam::couplingProperties::checkModel
+(
+    const word& key,
+    const word& selected,
+    const wordList& known
+) const
+{
+    checkWord(*this, key, selected, known);
+
+    for (const word& model : known)
+    {
+        if (model != selected && found(model + "Coeffs"))
+        {
+            FatalIOErrorInFunction(*this)
+                << "unknown entry " << model << "Coeffs; " << key << " is "
+                << selected << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::couplingProperties::checkForces() const
 {
     wordList seen;
@@ -221,9 +249,24 @@ Foam::couplingProperties::couplingProperties(const Time& runTime)
     checkWord(*this, "model", model, {"A", "B"});
     modelA_ = (model == "A");
 
-    take<word>("voidFractionModel", "exactOverlap");
-    take<word>("dragModel", "ergunWenYu");
-    take<word>("smoothingModel", "none");
+    checkModel
+    (
+        "voidFractionModel",
+        take<word>("voidFractionModel", "exactOverlap"),
+        voidFractionModel::dictionaryConstructorTablePtr_->sortedToc()
+    );
+    checkModel
+    (
+        "dragModel",
+        take<word>("dragModel", "ergunWenYu"),
+        dragModel::dictionaryConstructorTablePtr_->sortedToc()
+    );
+    checkModel
+    (
+        "smoothingModel",
+        take<word>("smoothingModel", "none"),
+        smoothingModel::dictionaryConstructorTablePtr_->sortedToc()
+    );
 
     forces_ = take<wordList>
     (

@@ -3,6 +3,7 @@
 #include "couplingStatistics.H"
 
 #include "OStringStream.H"
+#include "error.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
 #include "foamVersion.H"
@@ -126,10 +127,11 @@ void Foam::couplingStatistics::write
     if (Pstream::master())
     {
         std::ofstream os(file);
-        os << j.dump(2) << '\n';
+        os << j.dump(2) << std::endl;
         if (!os)
         {
-            Info<< "clayFoam: warning: cannot write " << file << endl;
+            FatalErrorInFunction
+                << "cannot write " << file << exit(FatalError);
         }
     }
 }

@@ -346,6 +346,27 @@ void Foam::particleCoupling::writeStatistics(const dictionary& solverSettings)
     settings.add("couplingInterval", dem.step*dem.interval, true);
     settings.add("gravity", gravity_);
 
+    if (stats_.stiffExchanges > 0)
+    {
+        stats_.warn
+        (
+            "drag was stiff for the coupling interval in "
+          + std::to_string(stats_.stiffExchanges) + " of "
+          + std::to_string(stats_.exchanges)
+          + " exchanges: there the fluid was solved first, the particles"
+            " waited"
+        );
+    }
+    if (stats_.outside > 0)
+    {
+        stats_.warn
+        (
+            "up to " + std::to_string(stats_.outside)
+          + " particle centres lay outside the mesh; they count in the"
+            " nearest cell"
+        );
+    }
+
     stats_.reynoldsMax = forces_.reynoldsMax();
     stats_.exchange = session_->timing().exchange;
     stats_.waiting = session_->timing().waiting;

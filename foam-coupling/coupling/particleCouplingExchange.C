@@ -76,11 +76,37 @@ void Foam::particleCoupling::map()
     mapping_->map(p, sumShared_, n, smoothing_.operator->());
 
     scalar volume = 0;
+    label outside = 0, larger = 0;
     forAll(p.owned, i)
     {
-        volume += p.owned[i] ? p.volume[i] : 0;
+        if (p.owned[i])
+        {
+            volume += p.volume[i];
+            outside += p.outside[i] > 1e-6*p.radius[i];
+            larger += p.volume[i] > mesh_.V()[p.cell[i]];
+        }
     }
     reduce(volume, sumOp<scalar>());
+    reduce(outside, sumOp<label>());
+    reduce(larger, sumOp<label>());
+
+    // the largest count is warned of at the end
+    if (outside > 0 && stats_.outside == 0)
+    {
+        Info<< "clayFoam: at time " << session_->time() << " s " << outside
+            << " particle centres lie outside the mesh" << endl;
+    }
+    stats_.outside = max(stats_.outside, outside);
+
+    if (larger > 0 && mapping_->type() == "centre")
+    {
+        stats_.warn
+        (
+            "particles are larger than their cells; take voidFractionModel"
+            " exactOverlap or larger cells"
+        );
+    }
+
     solidVolume_ = volume;
     if (volume > 0)
     {

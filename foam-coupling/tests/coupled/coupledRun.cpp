@@ -116,7 +116,7 @@ double CoupledRun::lastVelocity(int component) const {
   return history().back()["velocity"][static_cast<std::size_t>(component)];
 }
 
-std::vector<std::array<double, 3>> CoupledRun::values(const std::string& field) const {
+std::string CoupledRun::written(const std::string& field) const {
   double latest = -1;
   fs::path file;
   for (const auto& entry : fs::directory_iterator(path_)) {
@@ -128,7 +128,25 @@ std::vector<std::array<double, 3>> CoupledRun::values(const std::string& field) 
       file = entry.path() / field;
     }
   }
-  const std::string text = slurp(file);
+  return slurp(file);
+}
+
+std::vector<double> CoupledRun::scalars(const std::string& field) const {
+  const std::string text = written(field);
+  const auto at = text.find("List<scalar>");
+  if (at == std::string::npos) throw std::runtime_error("no scalars " + field);
+  std::istringstream is(text.substr(at + 12));
+  std::size_t count = 0;
+  is >> count;
+  is.ignore(1000, '(');
+  std::vector<double> all(count);
+  for (double& x : all) is >> x;
+  if (!is) throw std::runtime_error("cannot read " + field);
+  return all;
+}
+
+std::vector<std::array<double, 3>> CoupledRun::values(const std::string& field) const {
+  const std::string text = written(field);
   auto at = text.find("internalField");
   if (at == std::string::npos) throw std::runtime_error("no field " + field);
   const bool uniform = text.compare(text.find_first_not_of(' ', at + 13), 7, "uniform") == 0;

@@ -45,11 +45,15 @@ class CoupledRun {
   double lastVelocity(int component = 2) const;
   /// A written vector field of the last time, cell by cell (one value if uniform).
   std::vector<std::array<double, 3>> values(const std::string& field) const;
+  /// The same of a scalar field that is not uniform.
+  std::vector<double> scalars(const std::string& field) const;
   /// Mean over the cells of a written vector field of the last time.
   std::array<double, 3> meanOfField(const std::string& field) const;
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  /// The text of a written field of the last time.
+  std::string written(const std::string& field) const;
   int shell(const std::string& command, const std::string& logName);
 
   std::filesystem::path path_;

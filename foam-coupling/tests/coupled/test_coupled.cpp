@@ -121,6 +121,7 @@ TEST(ClosedColumnFine, IsStableWhenDragIsStiff) {
   ASSERT_EQ(run.meshAndRun(), 0) << run.log();
   EXPECT_NEAR(-meanVelocity(run) / (n * wenYuSlip(n, d, mu)), 1, 1e-2);
   EXPECT_GT(run.cfd()["stiff_exchanges"], 0);
+  EXPECT_FALSE(run.cfd()["warnings"].empty());
   EXPECT_LT(run.cfd()["max_momentum_residual"], 1e-10);
 }
 

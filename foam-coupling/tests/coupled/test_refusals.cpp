@@ -54,7 +54,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Bad{"entry", "dragModell ergunWenYu;", "unknown entry dragModell; the nearest known one is dragModel"},
         Bad{"coeffs", "ergunWenYCoeffs {}", "the nearest known one is ergunWenYuCoeffs"},
-        Bad{"drag", "dragModel Ergun;", "dragModel Ergun is not known"},
+        Bad{"unselected", "dragModel DiFelice; ergunWenYuBlendedCoeffs { width 0.1; }",
+            "unknown entry ergunWenYuBlendedCoeffs; dragModel is DiFelice"},
+        Bad{"drag", "dragModel ergunWenYuBlend;",
+            "SchillerNaumann ergunWenYu ergunWenYuBlended); the nearest one is ergunWenYuBlended"},
         Bad{"void", "voidFractionModel exact;", "voidFractionModel exact is not known"},
         Bad{"model", "model C;", "model C is not known; known are (A B)"},
         Bad{"force", "forceModels (lift buoyancy);", "lift is not known"},
@@ -133,12 +136,31 @@ TEST(Report, HoldsSettingsAndDefaults) {
   EXPECT_EQ(cfd["program"], "clayFoam");
   EXPECT_EQ(cfd["settings"]["dragModel"], "ergunWenYu");
   EXPECT_EQ(cfd["settings"]["voidFractionMin"], 0.3);
+  EXPECT_EQ(cfd["settings"]["maxCo"], 0.5);
+  EXPECT_EQ(cfd["settings"]["adjustTimeStep"], true);
+  EXPECT_EQ(cfd["settings"]["maxDeltaT"], "unlimited");
   EXPECT_EQ(cfd["settings"]["rho"], 1000);
   EXPECT_EQ(cfd["settings"]["meshCells"], 16);
   EXPECT_EQ(cfd["exchanges"], 11);
   EXPECT_GE(cfd["cfd_steps"], 10);
   EXPECT_GT(cfd["cfd_s"], 0);
   EXPECT_TRUE(says(run, "defaults taken: overlap")) << run.log();
+}
+
+TEST(Report, ThatCannotBeWrittenIsAnError) {
+  auto run = column("no-report");
+  std::filesystem::create_directory(run.path() / "cfd.json");
+  ASSERT_NE(run.meshAndRun(), 0);
+  EXPECT_TRUE(says(run, "cannot write")) << run.log();
+  EXPECT_TRUE(says(run, "cfd.json")) << run.log();
+}
+
+TEST(Report, WarnsOfParticlesOutsideTheMesh) {
+  auto run = column("outside");
+  // the upper layer's centres 0.2 mm above the lid, each still touching the mesh
+  run.dem("hi", "0.02,0.02,0.0427").dem("from", "0,0,0.0227").dem("to", "0.02,0.02,0.0427");
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+  EXPECT_TRUE(says(run, "warning: up to 16 particle centres lay outside the mesh")) << run.log();
 }
 
 TEST(Output, IsWrittenWhenDueAndAtTheEnd) {

@@ -23,8 +23,7 @@ Foam::voidFractionModels::centre::centre
     const fvMesh& mesh
 )
 :
-    voidFractionModel(dict, mesh, typeName),
-    told_(false)
+    voidFractionModel(dict, mesh, typeName)
 {}
 
 
@@ -42,16 +41,6 @@ void Foam::voidFractionModels::centre::weights(dispersedParticles& p) const
         {
             p.cellIndex.append(p.cell[i]);
             p.weight.append(1);
-
-            if (!told_ && p.volume[i] > mesh_.V()[p.cell[i]])
-            {
-                told_ = true;
-                WarningInFunction
-                    << "particle " << p.tag[i] << ", volume " << p.volume[i]
-                    << " m3, is larger than its cell, " << mesh_.V()[p.cell[i]]
-                    << " m3; take voidFractionModel exactOverlap or larger"
-                    << " cells" << endl;
-            }
         }
         p.offset[i + 1] = p.weight.size();
     }

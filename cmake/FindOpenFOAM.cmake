@@ -11,7 +11,10 @@ if(DEFINED ENV{WM_PROJECT_DIR} AND EXISTS $ENV{WM_PROJECT_DIR}/src/OpenFOAM/lnIn
   set(_src $ENV{WM_PROJECT_DIR}/src)
   set(_etc $ENV{WM_PROJECT_DIR})
   set(_libdirs $ENV{FOAM_LIBBIN} $ENV{FOAM_LIBBIN}/$ENV{FOAM_MPI})
-  set(OpenFOAM_VERSION $ENV{WM_PROJECT_VERSION})
+  # headers and libraries of one installation
+  set(_only NO_DEFAULT_PATH)
+  set(OpenFOAM_VERSION "$ENV{WM_PROJECT_VERSION}")
+  set(_how sourced)
 else()
   execute_process(COMMAND ${PROJECT_SOURCE_DIR}/cmake/openfoam-headers.sh ${OpenFOAM_HEADERS_DIR}
                   RESULT_VARIABLE _status)
@@ -23,20 +26,26 @@ else()
   execute_process(COMMAND sh -c "dpkg -L openfoam | sed -n 's,/etc/controlDict$,,p'"
                   OUTPUT_VARIABLE _etc OUTPUT_STRIP_TRAILING_WHITESPACE)
   set(_libdirs "")
+  set(_only "")
+  set(_how installed)
 endif()
 # v1912 -> 1912, 1912.200626-1 -> 1912
 string(REGEX MATCH "[0-9][0-9][0-9][0-9]" OpenFOAM_API "${OpenFOAM_VERSION}")
+if(NOT OpenFOAM_API STREQUAL 1912)
+  message(FATAL_ERROR "OpenFOAM ${OpenFOAM_VERSION} is ${_how}; v1912 is wanted: "
+    "source v1912, or none to use Debian 12's package")
+endif()
 
 set(_need OpenFOAM finiteVolume meshTools incompressibleTransportModels
     turbulenceModels incompressibleTurbulenceModels)
 set(_found "")
 foreach(lib IN LISTS _need)
-  find_library(OpenFOAM_${lib}_LIBRARY ${lib} HINTS ${_libdirs})
+  find_library(OpenFOAM_${lib}_LIBRARY ${lib} HINTS ${_libdirs} ${_only})
   list(APPEND _found OpenFOAM_${lib}_LIBRARY)
 endforeach()
 # the real libPstream, not the serial stand-in
 find_library(OpenFOAM_Pstream_LIBRARY Pstream HINTS ${_libdirs} PATH_SUFFIXES openmpi-system
-             NAMES_PER_DIR)
+             NAMES_PER_DIR ${_only})
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(OpenFOAM

@@ -8,11 +8,11 @@
 # Usage: openfoam-headers.sh DIR     (prints nothing when DIR is up to date)
 set -euo pipefail
 
+fail() { echo "openfoam-headers: $*" >&2; exit 1; }
+
 dest=$(mkdir -p "$1" && cd "$1" && pwd)
-version=$(dpkg-query -W -f='${source:Version}' openfoam 2>/dev/null) || {
-    echo "openfoam-headers: the package 'openfoam' is not installed" >&2
-    exit 1
-}
+version=$(dpkg-query -W -f='${source:Version}' openfoam 2>/dev/null) ||
+    fail "the package 'openfoam' is not installed"
 stamp="$dest/version"
 [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$version" ] && exit 0
 
@@ -44,14 +44,15 @@ echo "openfoam-headers: fetching the source of openfoam $version (45 MB)"
 "${apt[@]}" update 2> "$work/update.log" || true
 (cd "$work/source" && "${apt[@]}" source --download-only "openfoam=$version") || {
     cat "$work/update.log" >&2
-    echo "openfoam-headers: no source package of openfoam $version can be had;" \
-         "source an OpenFOAM environment with headers instead" >&2
-    exit 1
+    fail "no source package of openfoam $version can be had;" \
+         "source an OpenFOAM environment with headers instead"
 }
 
-tarball=$(ls "$work"/source/openfoam_*.orig.tar.*)
+tarball=$(find "$work/source" -name 'openfoam_*.orig.tar.*' ! -name '*.asc' -print -quit)
+[ -n "$tarball" ] || fail "the source package of openfoam $version holds no orig.tar file"
 mkdir "$work/tree"
-tar -xf "$tarball" -C "$work/tree" --strip-components=1 --wildcards '*/src/*' '*/wmake/*'
+tar -xf "$tarball" -C "$work/tree" --strip-components=1 --wildcards '*/src/*' '*/wmake/*' \
+    2> "$work/tar.log" || fail "cannot unpack ${tarball##*/}: $(head -n 1 "$work/tar.log")"
 
 rm -rf "$dest"/src
 mkdir -p "$dest/src"
@@ -60,9 +61,11 @@ libraries="OpenFOAM OSspecific/POSIX finiteVolume meshTools
     TurbulenceModels/turbulenceModels TurbulenceModels/incompressible
     TurbulenceModels/compressible"
 for lib in $libraries; do
+    [ -d "$work/tree/src/$lib" ] || fail "the source package holds no src/$lib"
     mkdir -p "$dest/src/$lib"
     cp -r "$work/tree/src/$lib/." "$dest/src/$lib/"
-    (cd "$work/tree" && WM_PROJECT_DIR="$work/tree" wmake/wmakeLnInclude -s "$dest/src/$lib") > /dev/null 2>&1
+    (cd "$work/tree" && WM_PROJECT_DIR="$work/tree" wmake/wmakeLnInclude -s "$dest/src/$lib") > "$work/wmake.log" 2>&1 ||
+        fail "wmakeLnInclude failed for src/$lib: $(tail -n 1 "$work/wmake.log")"
 done
 # only headers and templates are wanted
 find "$dest/src" -type d -name Make -prune -exec rm -rf {} +

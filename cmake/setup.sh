@@ -11,6 +11,11 @@ set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 stamp="$top/build/.ready"
 flavour=${WM_PROJECT_DIR:-packaged}
+# the package's own folder is no sourced environment
+if [ "$flavour" != packaged ] && dpkg -L openfoam 2> /dev/null |
+        grep -Fx "${flavour%/}/etc/controlDict" > /dev/null; then
+    flavour=packaged
+fi
 inputs=("$top/CMakeLists.txt" "$top/CMakePresets.json" "$top/cmake"
         "$top/exchange" "$top/liggghts-fix" "$top/foam-coupling")
 
@@ -23,9 +28,10 @@ fi
 fail() { echo "setup: $*" >&2; exit 1; }
 
 packages="cmake g++ make liggghts libliggghts-dev openmpi-bin libopenmpi-dev
-    libeigen3-dev libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev
-    python3 python3-numpy python3-matplotlib python3-scipy python3-vtk9 packmol"
-[ -n "${WM_PROJECT_DIR:-}" ] || packages="$packages openfoam libopenfoam"
+    libeigen3-dev nlohmann-json3-dev libgtest-dev
+    python3 python3-numpy python3-matplotlib python3-scipy"
+# the headers of the package come from its source, a compressed tar file
+[ "$flavour" != packaged ] || packages="$packages openfoam libopenfoam bzip2 xz-utils"
 
 command -v dpkg-query > /dev/null ||
     fail "this is no Debian system; install by hand: $(echo $packages)"
@@ -43,16 +49,32 @@ if [ -n "$missing" ]; then
         root=(sudo)
     fi
     echo "setup: installing$missing"
-    log=$(mktemp)
-    trap 'rm -f "$log"' EXIT
-    "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq update > "$log" 2>&1 ||
-        fail "apt-get update failed: $(tail -n 1 "$log")"
+    apt_log=$(mktemp)
+    trap 'rm -f "$apt_log"' EXIT
+    "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq update > "$apt_log" 2>&1 ||
+        fail "apt-get update failed: $(tail -n 1 "$apt_log")"
     "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -y \
-        --no-install-recommends install $missing > "$log" 2>&1 ||
-        fail "cannot install$missing: $(grep '^E:' "$log" | tail -n 1)"
+        --no-install-recommends install $missing > "$apt_log" 2>&1 ||
+        fail "cannot install$missing: $(grep '^E:' "$apt_log" | tail -n 1)"
 fi
 
+# The line of a build's log that tells most: the first complaint of a program,
+# or CMake's own words for its error; else make's.
+complaint() {
+    awk '/^openfoam-headers: (fetching|done)/ { next }
+         told && NF { $1 = $1; text = text (text == "" ? "" : " ") $0; next }
+         told && text != "" { exit }
+         /^openfoam-headers: |Cannot exec|^ *Could NOT find|error:/ { text = $0; exit }
+         /^CMake Error/ { told = 1; head = $0; next }
+         END { if (text == "") text = head; if (text == "") exit 1; sub(/^ */, "", text); print text }' "$1" ||
+        grep -m1 -E 'Error [0-9]' "$1" || tail -n 1 "$1"
+}
+
 mkdir -p "$top/build"
+# what CMake found for another OpenFOAM must not be mixed with this one
+last=$(cat "$top/build/.flavour" 2> /dev/null || cat "$stamp" 2> /dev/null || echo "$flavour")
+[ "$last" = "$flavour" ] || rm -f "$top/build/CMakeCache.txt"
+echo "$flavour" > "$top/build/.flavour"
 began=$(mktemp "$top/build/.ready.XXXXXX")
 log="$top/build/setup.log"
 echo "setup: building (log in build/setup.log)"
@@ -60,9 +82,7 @@ cd "$top"
 if ! { cmake --preset release && cmake --build --preset release -j"${1:-$(nproc)}"; } \
         > "$log" 2>&1; then
     rm -f "$began"
-    # the compiler's first complaint says more than make's last
-    fail "the build failed: $(grep -m1 -E 'error:|Error at|no headers|Error [0-9]' "$log" ||
-        tail -n 1 "$log")"
+    fail "the build failed: $(complaint "$log") (log in build/setup.log)"
 fi
 echo "$flavour" > "$began.text"
 touch -r "$began" "$began.text"

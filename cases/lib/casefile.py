@@ -5,9 +5,22 @@ import difflib
 import json
 import math
 import os
+import re
 
 CASES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 TOP = os.path.dirname(CASES)
+
+# what every case has, and what each of it must be; case.json may ask for more
+_NEEDED = {
+    "end": {"above": 0},
+    "dem_step": {"above": 0},
+    "coupling_steps": {"min": 1, "whole": True},
+    "frames": {"min": 1, "whole": True},
+    "curve_rows": {"min": 1, "whole": True},
+    "seed": {"min": 1, "whole": True},
+}
+_ENTRIES = ("value", "unit", "is", "choices", "min", "max", "above", "below", "whole")
+_MOST_STEPS = 2**31 - 1  # LIGGGHTS counts the steps of a run in 32 bits
 
 
 class CaseError(Exception):
@@ -29,7 +42,7 @@ def names():
 def _every(n, wanted):
     """How many of n between two outputs: near to what is wanted, and a divisor
     of n if one is near, so that the last state is written too."""
-    near = [d for d in range(1, n + 1) if n % d == 0 and wanted / 2 <= d <= 2 * wanted]
+    near = [d for d in range(max(1, math.ceil(wanted / 2)), min(n, math.floor(2 * wanted)) + 1) if n % d == 0]
     return min(near, key=lambda d: abs(math.log(d / wanted))) if near else max(1, int(wanted))
 
 
@@ -52,11 +65,46 @@ class Case:
             self.title = text["title"]
             self.parameters = text["parameters"]
             self.values = {k: p["value"] for k, p in self.parameters.items()}
-        except (ValueError, KeyError) as e:
+        except KeyError as e:
+            raise CaseError(f"{path}: the entry {e} is missing") from None
+        except (ValueError, TypeError, AttributeError) as e:
             raise CaseError(f"{path}: {e}") from None
-        for key in ("end", "dem_step", "coupling_steps", "frames", "curve_rows", "seed"):
+        for key in _NEEDED:
             if key not in self.values:
                 raise CaseError(f"{path}: the parameter '{key}' is missing; every case has it")
+        for key, entry in self.parameters.items():
+            for word in entry:
+                if word not in _ENTRIES:
+                    raise CaseError(f"{path}: {key}: {nearest(word, _ENTRIES, 'entry')}")
+            if "is" not in entry:
+                raise CaseError(f"{path}: {key}: the entry 'is', what it stands for, is missing")
+            try:
+                self._check(key, self.values[key], self.values[key])
+            except CaseError as e:
+                raise CaseError(f"{path}: {e}") from None
+
+    def _check(self, key, value, shown):
+        """Refuses a value that is not what its entry in case.json asks for."""
+        entry = {**_NEEDED.get(key, {}), **self.parameters[key]}
+        if "choices" in entry:
+            good = value in entry["choices"]
+            wanted = "one of " + ", ".join(str(c) for c in entry["choices"])
+        elif isinstance(value, str):
+            good = re.fullmatch(r"[\w.+-]+", value)
+            wanted = "a single word"
+        else:
+            limits = [(entry[k], words, holds) for k, words, holds in (
+                ("min", "of at least", lambda a, b: a >= b), ("above", "above", lambda a, b: a > b),
+                ("max", "of at most", lambda a, b: a <= b), ("below", "below", lambda a, b: a < b))
+                if k in entry]
+            good = (isinstance(value, (int, float)) and not isinstance(value, bool)
+                    and math.isfinite(value) and all(holds(value, at) for at, _, holds in limits)
+                    and not (entry.get("whole") and value != int(value)))
+            wanted = "a whole number" if entry.get("whole") else "a finite number"
+            if limits:
+                wanted += " " + " and ".join(f"{words} {text(at)}" for at, words, _ in limits)
+        if not good:
+            raise CaseError(f"{key} = {shown}: {wanted} is wanted ({entry['is']})")
 
     def set(self, key, text):
         """Takes a changed value; its type is that of the value in case.json."""
@@ -69,21 +117,16 @@ class Case:
                 value = float(text)
             except ValueError:
                 raise CaseError(f"{key} = {text}: a number is wanted ({entry['is']})") from None
-            if isinstance(old, int) and value == int(value):
-                value = int(value)
-        if value not in entry.get("choices", [value]):
-            raise CaseError(f"{key} = {text}: one of {', '.join(entry['choices'])} is wanted")
+        self._check(key, value, text)
+        if isinstance(old, int) and value == int(value):
+            value = int(value)
         self.values[key] = value
 
     def derive(self, dem_ranks, cfd_ranks):
         """What both halves' input needs besides: counts of steps."""
         v = self.values
-        for key in ("end", "dem_step", "coupling_steps", "frames", "curve_rows", "seed"):
-            if not v[key] > 0:
-                raise CaseError(f"{key} = {v[key]}: a number above 0 is wanted ({self.parameters[key]['is']})")
-        for key in ("coupling_steps", "frames", "curve_rows", "seed"):
-            if v[key] != int(v[key]):
-                raise CaseError(f"{key} = {v[key]}: a whole number is wanted ({self.parameters[key]['is']})")
+        if v["end"] / v["dem_step"] > _MOST_STEPS:
+            raise CaseError(f"end = {v['end']} s: at most {_MOST_STEPS} steps of dem_step = {v['dem_step']} s are wanted")
         steps = round(v["end"] / v["dem_step"])
         if abs(steps * v["dem_step"] - v["end"]) > 1e-6 * v["end"]:
             raise CaseError(f"end = {v['end']} s is no multiple of dem_step = {v['dem_step']} s")

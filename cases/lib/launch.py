@@ -18,6 +18,9 @@ _PROGRESS = re.compile(r"^clayFoam: (t = .*)$")
 # LIGGGHTS's own errors; what a half says on its standard error when it ends the run
 _ERROR = re.compile(r"^\s*ERROR")
 _LAST_WORD = re.compile(r"^(clayFoam|liggghts-clay): ")
+# said of a half that ended for a reason of its own, which tells more
+AFTERMATH = re.compile(r"ended (without ever coupling|before the coupled run did)|"
+                       r"^(clayFoam|liggghts-clay): stopped: ")
 
 
 def cores():
@@ -113,7 +116,7 @@ class Run:
     def _watch(self, stream):
         """Sorts what the halves say; returns the line that tells of an error."""
         shown = _Progress()
-        said, others = "", []
+        said, after, others = "", "", []
         with open(os.path.join(self.folder, "CFD", "log"), "w", encoding="utf-8") as log:
             for line in stream:
                 tag = _TAG.match(line)
@@ -126,12 +129,15 @@ class Run:
                 step = _PROGRESS.match(content)
                 if step:
                     shown.show(step.group(1))
-                elif not said and (_ERROR.match(content) or
-                                   tag.group(2) == "err" and _LAST_WORD.match(content)):
-                    said = content.strip()
+                elif (_ERROR.match(content) or
+                      tag.group(2) == "err" and _LAST_WORD.match(content)):
+                    if AFTERMATH.search(content):
+                        after = after or content.strip()
+                    else:
+                        said = said or content.strip()
         shown.close()
-        if said:
-            return said
+        if said or after:
+            return said or after
         # a half that was killed says nothing; mpirun does
         lines = [x for x in others if x and not x.startswith("--")]
         return next((x for x in lines if x.startswith("mpirun noticed")), " ".join(lines[:3]))

@@ -3,6 +3,11 @@
 
 import os
 
+from casefile import TOP, CaseError
+
+# matplotlib's cache belongs to the project, not into the user's home
+os.environ.setdefault("MPLCONFIGDIR", os.path.join(TOP, "build", "matplotlib"))
+
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
@@ -73,8 +78,8 @@ def columns(folder, values, title, count=6):
     cfd = os.path.join(folder, "CFD")
     moments = spheres.dumps(folder)
     flows = openfoam.times(cfd)
-    if not moments or not flows:
-        return
+    if not flows:
+        raise CaseError(f"{cfd} holds no output times of the CFD half")
     chosen = [moments[i] for i in telling(folder, [n * step for n, _ in moments], count)]
     centres = openfoam.cell_centres(os.path.join(cfd, "constant", "polyMesh"))
     cuts = []

@@ -13,17 +13,31 @@ from casefile import CASES, TOP, CaseError, text
 
 # what a run leaves behind; removed when its folder is used again
 _REMAINS = ("DEM", "CFD", "alone", "dem.json", "summary.json", "settling.csv", "*.png",
-            "*.liggghts", "log.liggghts", "run.sh", "DEM.pvd")
+            "*.liggghts", "log.liggghts", "run.sh", "DEM.pvd",
+            "restart_forced_liggghts_*.data")  # LIGGGHTS's, when it is interrupted
 _MARK = "case.txt"
+# what OpenFOAM does not take in the name of a folder
+_UNFIT = re.compile(r"[\s\"'`;{}$()]")
+
+
+def _fit(path, what, remedy):
+    """Refuses a path that OpenFOAM would break in two."""
+    unfit = _UNFIT.search(path)
+    if unfit:
+        raise CaseError(f"{what} {path!r}: OpenFOAM takes no {unfit.group()!r} in a path; {remedy}")
 
 
 def run_folder(case, out, derived):
     """Fills the run folder anew and returns it."""
+    _fit(TOP, "the project's folder", "move the project")
     out = os.path.abspath(out or os.path.join(TOP, "results", case.name))
+    _fit(out, "--out", "name another folder")
+    if os.path.exists(out) and not os.path.isdir(out):
+        raise CaseError(f"--out {out}: is a file; name a folder")
     if os.path.isdir(out) and os.listdir(out) and not os.path.isfile(os.path.join(out, _MARK)):
         raise CaseError(f"--out {out}: holds other things than a run; name a new folder")
     for pattern in _REMAINS:
-        for old in glob.glob(os.path.join(out, pattern)):
+        for old in glob.glob(os.path.join(glob.escape(out), pattern)):
             shutil.rmtree(old) if os.path.isdir(old) else os.remove(old)
     os.makedirs(os.path.join(out, "DEM"), exist_ok=True)
     with open(os.path.join(out, _MARK), "w", encoding="utf-8") as f:

@@ -52,7 +52,7 @@ def _alone(run):
     folder = os.path.join(run.folder, "alone")
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(os.path.join(folder, "DEM"))
-    for path in glob.glob(os.path.join(run.folder, "*.liggghts")):
+    for path in glob.glob(os.path.join(glob.escape(run.folder), "*.liggghts")):
         shutil.copy(path, folder)
     print("the DEM half alone, for comparison ...", flush=True)
     began = time.monotonic()
@@ -120,7 +120,7 @@ def table(s):
     rows = [
         ("wall time", f"{s['wall_s']:.1f} s for {s['simulated_s']:.4g} s simulated"),
         ("DEM half", f"{s['dem_s']:.1f} s stepping, {s['waiting_dem_s']:.1f} s waiting"),
-        ("CFD half", f"{s['cfd_s']:.1f} s solving and mapping, {s['waiting_cfd_s']:.1f} s waiting"),
+        ("CFD half", f"{s['cfd_s'] + (s['mapping_s'] or 0):.1f} s solving and mapping, {s['waiting_cfd_s']:.1f} s waiting"),
         ("exchange", f"{100 * s['exchange_dem_s'] / wall:.1f} % of the DEM half's time, "
                      f"{100 * s['exchange_cfd_s'] / wall:.1f} % of the CFD half's"),
         ("waiting", f"{100 * s['waiting_dem_s'] / wall:.1f} % of the DEM half's time, "

@@ -8,12 +8,16 @@ import re
 
 import numpy as np
 
+from casefile import CaseError
+
 
 def dumps(folder):
     """The dumps of a run as (step, path), in order of time."""
     found = []
-    for path in glob.glob(os.path.join(folder, "DEM", "spheres.*.dump")):
+    for path in glob.glob(os.path.join(glob.escape(folder), "DEM", "spheres.*.dump")):
         found.append((int(re.search(r"\.(\d+)\.dump$", path).group(1)), path))
+    if not found:
+        raise CaseError(f"{folder}/DEM holds no dumps, spheres.*.dump; does in.liggghts write them?")
     return sorted(found)
 
 

@@ -23,6 +23,17 @@ def load(name):
     return module
 
 
+class _Unreadable:
+    """Stands in for a check that cannot be loaded: running it says why."""
+
+    def __init__(self, error):
+        self.error = error
+        self.TITLE = "cannot be loaded"
+
+    def run(self, _):
+        raise self.error
+
+
 def names():
     return sorted(d for d in os.listdir(HERE) if os.path.isfile(os.path.join(HERE, d, "check.py")))
 
@@ -44,7 +55,10 @@ def main():
             hint = f"did you mean '{close[0]}'?" if close else "known are " + ", ".join(known)
             print(f"validation/run: unknown check '{name}'; {hint}", file=sys.stderr)
             return 2
-        modules[name] = load(name)
+        try:
+            modules[name] = load(name)
+        except (Exception, SystemExit) as e:  # a broken check fails; the others go on
+            modules[name] = _Unreadable(e)
     if args.list:
         for name, module in modules.items():
             print(f"{name:<20}{'(long) ' if getattr(module, 'LONG', False) else ''}{module.TITLE}")
@@ -53,7 +67,7 @@ def main():
     os.makedirs(RUNS, exist_ok=True)
     rows = []
     # the unit tests first: when they fail, so will the rest
-    for name in sorted(modules, key=lambda n: (n != "unit", n)):
+    for name in sorted(modules, key=lambda n: ("unit" not in n, n)):
         module = modules[name]
         if getattr(module, "LONG", False) and not (args.all or args.names):
             continue
@@ -62,8 +76,8 @@ def main():
         began = time.monotonic()
         try:
             module.run(checks)
-        except (frame.Broken, OSError, ValueError, KeyError) as e:
-            checks.true("came to its end", False, f"{type(e).__name__}: {e}")
+        except (Exception, SystemExit) as e:  # whatever it is, the other checks go on
+            checks.true("came to its end", False, " ".join(f"{type(e).__name__}: {e}".split()))
         print(f"   {time.monotonic() - began:.1f} s", flush=True)
         rows += checks.rows
 

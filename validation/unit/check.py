@@ -2,6 +2,7 @@
 """Every test that ctest knows, one row each."""
 
 import os
+import re
 import xml.etree.ElementTree as ElementTree
 
 import coupled
@@ -23,4 +24,8 @@ def run(checks):
         reason = test.find("failure")
         found = "" if reason is None else reason.get("message", "")
         checks.true(test.get("name"), test.get("status") == "run", found)
-    checks.at_least("number of tests", float(len(tests)), 1)
+    listed = coupled.execute(["ctest", "--test-dir", os.path.join(coupled.TOP, "build"), "-N"], 60)
+    total = re.search(r"Total Tests: (\d+)", listed.output)
+    checks.at_least("tests run, and tests ctest lists", float(len(tests)),
+                    float(total.group(1)) if total else float("nan"))
+    checks.at_least("number of tests", float(len(tests)), 101.0)

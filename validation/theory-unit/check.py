@@ -1,0 +1,59 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""The unit tests of validation/theory, one row each."""
+
+import os
+import unittest
+
+import coupled
+
+TITLE = "the unit tests of the theory that runs are held against"
+
+
+class _Rows(unittest.TestResult):
+    """Every test becomes a row as soon as it has ended."""
+
+    def __init__(self, checks):
+        super().__init__()
+        self.checks, self.reason = checks, ""
+
+    def _note(self, error):
+        self.reason = self.reason or f"{error[0].__name__}: {error[1]}".replace("\n", " ")
+
+    def startTest(self, test):
+        super().startTest(test)
+        self.reason = ""
+
+    def addError(self, test, err):
+        super().addError(test, err)
+        self._note(err)
+        # the set-up of a whole class or module has no test of its own
+        if not isinstance(test, unittest.TestCase):
+            self.checks.true(str(test), False, self.reason)
+
+    def addFailure(self, test, err):
+        super().addFailure(test, err)
+        self._note(err)
+
+    def addSubTest(self, test, subtest, err):
+        super().addSubTest(test, subtest, err)
+        if err:
+            self._note(err)
+
+    def addSkip(self, test, reason):
+        super().addSkip(test, reason)
+        self.reason = "skipped: " + reason
+
+    def stopTest(self, test):
+        super().stopTest(test)
+        name = test.id().removeprefix("theory.").removeprefix("unittest.loader.")
+        self.checks.true(name, not self.reason, self.reason)
+
+
+def run(checks):
+    top = os.path.join(coupled.TOP, "validation")
+    suite = unittest.TestLoader().discover(os.path.join(top, "theory"), "test_*.py", top)
+    result = _Rows(checks)
+    suite.run(result)
+    files = sum(f.startswith("test_") and f.endswith(".py")
+                for f in os.listdir(os.path.join(top, "theory")))
+    checks.at_least("tests run, over files of tests", float(result.testsRun), float(files))

@@ -93,7 +93,7 @@ void Foam::particleCoupling::map()
     // the largest count is warned of at the end
     if (outside > 0 && stats_.outside == 0)
     {
-        Info<< "clayFoam: at time " << session_->time() << " s " << outside
+        Info<< "clayFoam: warning: at time " << session_->time() << " s " << outside
             << " particle centres lie outside the mesh" << endl;
     }
     stats_.outside = max(stats_.outside, outside);
@@ -299,7 +299,7 @@ bool Foam::particleCoupling::next()
             }
             else if (stats_.stiffExchanges++ == 0)
             {
-                Info<< "clayFoam: at time " << time_ << " s drag is stiff for"
+                Info<< "clayFoam: warning: at time " << time_ << " s drag is stiff for"
                     << " the coupling interval of " << interval_
                     << " s: the fluid is solved first in such intervals"
                     << endl;

@@ -5,43 +5,112 @@
 
 namespace LAMMPS_NS {
 
+using Eigen::Map;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-void BodyDrag::add_sphere(const double *r_, double K, const double *u_, const double *f_)
-{
-  const Eigen::Map<const Vector3d> r(r_), u(u_), f(f_);
-  Matrix3d S;  // S w = r x w
-  S << 0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0;
+namespace {
 
-  // the sphere's velocity is v + omega x r = v - S omega
-  R.topLeftCorner<3, 3>().diagonal().array() += K;
-  R.topRightCorner<3, 3>() -= K * S;
-  R.bottomLeftCorner<3, 3>() += K * S;
-  R.bottomRightCorner<3, 3>() -= K * S * S;
-  drive.head<3>() += K * u;
-  drive.tail<3>() += K * r.cross(u);
-  load.head<3>() += f;
-  load.tail<3>() += r.cross(f);
+// S w = r x w
+Matrix3d cross_matrix(const Vector3d &r)
+{
+  Matrix3d S;
+  S << 0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0;
+  return S;
 }
 
-Vector6d drag_wrench(const BodyDrag &drag, const Vector6d &y0, const Vector6d &other,
-                     const Matrix6d &mass, const Matrix6d &inverseMass, double dt)
-{
-  const Vector6d start = drag.drive + drag.load - drag.R * y0;
-  const Matrix6d A = dt * inverseMass * drag.R;
-  const Vector6d b = dt * inverseMass * (other + start);
+}  // namespace
 
-  Vector6d change;
-  // a weak drag needs no solve: the next term of the series is below 1e-10
-  if (A.lpNorm<Eigen::Infinity>() < 1e-3) {
-    const Vector6d Ab = A * b;
-    change = b - 0.5 * Ab + A * Ab / 6.0;
-  } else {
-    const Matrix6d lhs = Matrix6d::Identity() + A + 0.5 * A * A;
-    change = lhs.partialPivLu().solve(b + 0.5 * (A * b));
+void BodyDrag::add_sphere(const double *r_, double K_, const double *u, const double *f)
+{
+  const Vector3d r(r_[0], r_[1], r_[2]);
+  const Vector3d p(K_ * u[0] + f[0], K_ * u[1] + f[1], K_ * u[2] + f[2]);
+  const Vector3d weighted = K_ * r;
+  K += K_;
+  Kr += weighted;
+  Krr += weighted * r.transpose();
+  push += p;
+  lever += r * p.transpose();
+}
+
+Matrix6d BodyDrag::resistance() const
+{
+  // a sphere's velocity is v + omega x r
+  Matrix6d R;
+  R.topLeftCorner<3, 3>() = K * Matrix3d::Identity();
+  R.bottomLeftCorner<3, 3>() = cross_matrix(Kr);
+  R.topRightCorner<3, 3>() = -cross_matrix(Kr);
+  R.bottomRightCorner<3, 3>() = Krr.trace() * Matrix3d::Identity() - Krr;
+  return R;
+}
+
+void DragStep::set(const BodyDrag &drag, double mass, const double *inertia, double dt)
+{
+  const Matrix6d R = drag.resistance();
+  K = drag.K;
+  for (int k = 0; k < 3; k++) spin[k] = R(k + 3, k + 3);
+  spin[3] = R(3, 4);
+  spin[4] = R(3, 5);
+  spin[5] = R(4, 5);
+  for (int k = 0; k < 3; k++) {
+    Kr[k] = drag.Kr[k];
+    push[k] = drag.push[k];
+    for (int j = 0; j < 3; j++) lever[3 * k + j] = drag.lever(k, j);
   }
-  return mass * change / dt - other;
+
+  // what has no inertia does not turn
+  Vector6d inverse;
+  inverse.head<3>().setConstant(1.0 / mass);
+  for (int k = 0; k < 3; k++) inverse[k + 3] = inertia[k] > 0 ? 1.0 / inertia[k] : 0.0;
+  const Matrix6d B = dt * R * inverse.asDiagonal();
+  const Matrix6d one = Matrix6d::Identity();
+  const Matrix6d B2 = B * B;
+  Map<Matrix6d> H(response);
+  H = (one + B + 0.5 * B2).partialPivLu().solve(-0.5 * (B + B2));
+}
+
+void DragStep::wrench(const double *ex, const double *ey, const double *ez, const double *v,
+                      const double *L, const double *inertia, const double *force,
+                      const double *torque, double *fluidForce, double *fluidTorque) const
+{
+  const double *axis[3] = {ex, ey, ez};
+  double motion[3], w[3], p[3], other[6], m[3][3], e[6], z[6];
+
+  // into body axes
+  for (int k = 0; k < 3; k++) {
+    const double *a = axis[k];
+    motion[k] = a[0] * v[0] + a[1] * v[1] + a[2] * v[2];
+    w[k] = a[0] * L[0] + a[1] * L[1] + a[2] * L[2];
+    w[k] = inertia[k] > 0 ? w[k] / inertia[k] : 0.0;
+    p[k] = a[0] * push[0] + a[1] * push[1] + a[2] * push[2];
+    other[k] = a[0] * force[0] + a[1] * force[1] + a[2] * force[2];
+    other[k + 3] = a[0] * torque[0] + a[1] * torque[1] + a[2] * torque[2];
+    for (int j = 0; j < 3; j++)
+      m[j][k] = a[0] * lever[3 * j] + a[1] * lever[3 * j + 1] + a[2] * lever[3 * j + 2];
+  }
+
+  // the fluid's wrench at the start of the step
+  e[0] = p[0] - K * motion[0] - (w[1] * Kr[2] - w[2] * Kr[1]);
+  e[1] = p[1] - K * motion[1] - (w[2] * Kr[0] - w[0] * Kr[2]);
+  e[2] = p[2] - K * motion[2] - (w[0] * Kr[1] - w[1] * Kr[0]);
+  e[3] = m[1][2] - m[2][1] - (Kr[1] * motion[2] - Kr[2] * motion[1]) -
+         (spin[0] * w[0] + spin[3] * w[1] + spin[4] * w[2]);
+  e[4] = m[2][0] - m[0][2] - (Kr[2] * motion[0] - Kr[0] * motion[2]) -
+         (spin[3] * w[0] + spin[1] * w[1] + spin[5] * w[2]);
+  e[5] = m[0][1] - m[1][0] - (Kr[0] * motion[1] - Kr[1] * motion[0]) -
+         (spin[4] * w[0] + spin[5] * w[1] + spin[2] * w[2]);
+
+  for (int i = 0; i < 6; i++) z[i] = e[i];
+  for (int j = 0; j < 6; j++) {
+    const double *column = response + 6 * j;
+    const double s = other[j] + e[j];
+    for (int i = 0; i < 6; i++) z[i] += column[i] * s;
+  }
+
+  for (int i = 0; i < 3; i++) {
+    fluidForce[i] = ex[i] * z[0] + ey[i] * z[1] + ez[i] * z[2];
+    fluidTorque[i] = ex[i] * z[3] + ey[i] * z[4] + ez[i] * z[5];
+  }
 }
 
 double relaxation_factor(double a)

@@ -11,29 +11,50 @@ namespace LAMMPS_NS {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// What the fluid does to a rigid body over a coupling interval, about its
-/// centre of mass and in space axes; force in rows 0-2, torque in rows 3-5.
-///
-/// The wrench on a body that moves with y = (v, omega) is drive + load - R y.
+/// What the fluid does to a rigid body over a coupling interval, summed over
+/// its spheres. The spheres' places are in body axes, where they do not move,
+/// what the fluid does to each is in space axes.
 struct BodyDrag {
-  Matrix6d R = Matrix6d::Zero();     ///< resistance [kg/s, kg m/s, kg m2/s]
-  Vector6d drive = Vector6d::Zero(); ///< R times the fluid's motion [N, N m]
-  Vector6d load = Vector6d::Zero();  ///< forces that do not depend on y [N, N m]
+  double K = 0;                                      ///< sum of K [kg/s]
+  Eigen::Vector3d Kr = Eigen::Vector3d::Zero();      ///< sum of K r [kg m/s], body axes
+  Eigen::Matrix3d Krr = Eigen::Matrix3d::Zero();     ///< sum of K r r^T [kg m2/s], body axes
+  Eigen::Vector3d push = Eigen::Vector3d::Zero();    ///< sum of p = K u + f [N], space axes
+  Eigen::Matrix3d lever = Eigen::Matrix3d::Zero();   ///< sum of r p^T [N m], body by space axes
 
-  /// Adds a sphere at r [m] from the centre of mass: drag coefficient K [kg/s],
-  /// fluid velocity u [m/s], explicit force f [N].
+  /// Adds a sphere at r [m] from the centre of mass, in body axes: drag coefficient
+  /// K [kg/s], fluid velocity u [m/s] and explicit force f [N] in space axes.
   void add_sphere(const double *r, double K, const double *u, const double *f);
+
+  /// Resistance about the centre of mass [kg/s, kg m/s, kg m2/s] in body axes: the
+  /// drag of fluid at rest on a body of velocity and spin y is -R y.
+  Matrix6d resistance() const;
 };
 
-/// Mean wrench of the fluid over a step of length dt on a body that starts
-/// with y0 and is pushed by the wrench `other` as well. inverseMass is the
-/// inverse of the 6 x 6 mass matrix in space axes.
-///
-/// Second order in dt, and L-stable: with A = dt M^-1 R the change of motion is
-/// (1 + A + A^2/2)^-1 (1 + A/2) dt M^-1 (other + load + drive - R y0), a rational
-/// form of the exact solution. Steady motion is exact for any dt.
-Vector6d drag_wrench(const BodyDrag &drag, const Vector6d &y0, const Vector6d &other,
-                     const Matrix6d &mass, const Matrix6d &inverseMass, double dt);
+/// A BodyDrag made ready for many steps of one length; all of it in doubles, so
+/// that it can travel with a body. Body axes, but for the push.
+struct DragStep {
+  double K;             ///< translational resistance [kg/s]
+  double Kr[3];         ///< its first moment [kg m/s]
+  double spin[6];       ///< rotational resistance, xx yy zz xy xz yz [kg m2/s]
+  double push[3];       ///< force that does not depend on the motion [N], space axes
+  double lever[9];      ///< row k: its moments along body axis k [N m], space axes
+  double response[36];  ///< of the wrench to the motion within the step, by columns
+
+  void set(const BodyDrag &drag, double mass, const double *inertia, double dt);
+
+  /// Mean force and torque of the fluid over a step, space axes. The body has
+  /// axes ex, ey, ez, velocity v, angular momentum L, principal moments inertia,
+  /// and is pushed by force and torque besides.
+  ///
+  /// Second order in dt, and L-stable: with A = dt M^-1 R the change of motion is
+  /// (1 + A + A^2/2)^-1 (1 + A/2) dt M^-1 (other + e), a rational form of the exact
+  /// solution; e is the fluid's wrench at the step's start. With B = dt R M^-1 its
+  /// mean is e + H (other + e), H = -(1 + B + B^2/2)^-1 (B/2) (1 + B), and H does
+  /// not change in body axes. Steady motion is exact for any dt.
+  void wrench(const double *ex, const double *ey, const double *ez, const double *v,
+              const double *L, const double *inertia, const double *force,
+              const double *torque, double *fluidForce, double *fluidTorque) const;
+};
 
 /// Mean drag force per component over a step on a sphere of mass m [kg] that
 /// moves with v and is pushed by `other`: F = K (u - v) solved exactly over dt.

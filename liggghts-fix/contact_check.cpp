@@ -31,7 +31,10 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 PairGran *granular(LAMMPS *lmp)
 {
-  return lmp->force->pair ? dynamic_cast<PairGran *>(lmp->force->pair_match("gran", 1)) : nullptr;
+  if (!lmp->force->pair) return nullptr;
+  Pair *pair = lmp->force->pair_match("gran", 1);
+  if (!pair) pair = lmp->force->pair_match("gran/lean", 1);
+  return dynamic_cast<PairGran *>(pair);
 }
 
 // fixes wall/gran of primitive shape

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "clones.h"
+#include "inv_sqrt.h"
+
 namespace clay {
 
 double CoulombLaw::forceOverDistance(double qq, double r) const
@@ -48,37 +51,6 @@ void ChargeGroups::close(long body, bool acted)
   groups.push_back(g);
 }
 
-namespace {
-
-// one sphere at (xi, yi, zi) on n others; all in contiguous arrays, no branch
-// inside, so that the compiler works on several at a time
-inline void row(double xi, double yi, double zi, double kqi, double cut2, double shift,
-                int n, const double* x, const double* y, const double* z, const double* q,
-                double* fx, double* fy, double* fz, double* f)
-{
-  double sx = 0, sy = 0, sz = 0;
-  const double least = 1e-12 * cut2;  // spheres that coincide push with a finite force
-#pragma omp simd reduction(+ : sx, sy, sz)
-  for (int j = 0; j < n; ++j) {
-    const double dx = xi - x[j], dy = yi - y[j], dz = zi - z[j];
-    const double r2 = dx * dx + dy * dy + dz * dz;
-    const double s2 = r2 > least ? r2 : least;
-    const double inv = 1 / std::sqrt(s2);
-    const double w = r2 < cut2 ? kqi * q[j] * (inv * inv - shift) * inv : 0.0;
-    sx += w * dx;
-    sy += w * dy;
-    sz += w * dz;
-    fx[j] -= w * dx;
-    fy[j] -= w * dy;
-    fz[j] -= w * dz;
-  }
-  f[0] += sx;
-  f[1] += sy;
-  f[2] += sz;
-}
-
-}  // namespace
-
 std::vector<std::pair<int, int>> pairsInReach(const ChargeGroups& c, const CoulombLaw& law)
 {
   std::vector<std::pair<int, int>> pairs;
@@ -107,34 +79,97 @@ std::vector<std::pair<int, int>> pairsInReach(const ChargeGroups& c, const Coulo
   return pairs;
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-__attribute__((target_clones("avx2", "default")))
-#endif
-void coulombForces(ChargeGroups& c, const CoulombLaw& law)
-{
-  c.fx.assign(c.x.size(), 0.0);
-  c.fy.assign(c.x.size(), 0.0);
-  c.fz.assign(c.x.size(), 0.0);
-  const double cut2 = law.cutoff * law.cutoff, shift = law.shifted ? 1 / cut2 : 0;
-  const double *x = c.x.data(), *y = c.y.data(), *z = c.z.data(), *q = c.q.data();
-  double *fx = c.fx.data(), *fy = c.fy.data(), *fz = c.fz.data();
+namespace {
 
-  for (const auto& p : pairsInReach(c, law)) {
-    const ChargeGroups::Group &A = c.groups[p.first], &B = c.groups[p.second];
-    const int b = B.begin;
-    const double near = law.cutoff + B.r;
-    for (int i = A.begin; i < A.end; ++i) {
-      const double ex = x[i] - B.x, ey = y[i] - B.y, ez = z[i] - B.z;
-      if (ex * ex + ey * ey + ez * ez >= near * near) continue;  // out of B's reach
-      const int n = (p.first == p.second ? i : B.end) - b;
-      double f[3] = {0, 0, 0};
-      row(x[i], y[i], z[i], law.k * q[i], cut2, shift, n, x + b, y + b, z + b, q + b,
-          fx + b, fy + b, fz + b, f);
-      fx[i] += f[0];
-      fy[i] += f[1];
-      fz[i] += f[2];
+constexpr int LANES = ChargeGroups::Lanes::WIDTH;
+
+int wholeLanes(int n) { return (n + LANES - 1) / LANES * LANES; }
+
+void fillLanes(ChargeGroups& c)
+{
+  ChargeGroups::Lanes& s = c.lanes;
+  s.begin.clear();
+  int n = 0;
+  for (const auto& g : c.groups) {
+    s.begin.push_back(n);
+    n += wholeLanes(g.end - g.begin);
+  }
+  for (auto* v : {&s.x, &s.y, &s.z, &s.q, &s.fx, &s.fy, &s.fz}) v->assign(n, 0.0);
+  for (auto* v : {&s.sx, &s.sy, &s.sz}) v->assign(n * LANES, 0.0);
+  s.reaching.resize(n);
+  for (std::size_t k = 0; k < s.begin.size(); ++k) {
+    const auto& g = c.groups[k];
+    for (int i = g.begin, l = s.begin[k]; i < g.end; ++i, ++l) {
+      s.x[l] = c.x[i];
+      s.y[l] = c.y[i];
+      s.z[l] = c.z[i];
+      s.q[l] = c.q[i];
     }
   }
+}
+
+// the spheres of each pair's first group on those of its second, and back
+CLAY_CLONES void act(ChargeGroups& c, const CoulombLaw& law, const std::vector<std::pair<int, int>>& pairs)
+{
+  ChargeGroups::Lanes& s = c.lanes;
+  const double cut2 = law.cutoff * law.cutoff, shift = law.shifted ? 1 / cut2 : 0;
+  const double least = 1e-12 * cut2;  // spheres that coincide push with a finite force
+  double *const fx = s.fx.data(), *const fy = s.fy.data(), *const fz = s.fz.data();
+  const double *const x = s.x.data(), *const y = s.y.data(), *const z = s.z.data(), *const q = s.q.data();
+  int *const reaching = s.reaching.data();
+
+  for (const auto& p : pairs) {
+    const ChargeGroups::Group &A = c.groups[p.first], &B = c.groups[p.second];
+    const int a = s.begin[p.first], b = s.begin[p.second], n = wholeLanes(B.end - B.begin);
+    // a group of loose spheres with itself meets each pair twice
+    const double back = p.first == p.second ? 0 : 1, near2 = (law.cutoff + B.r) * (law.cutoff + B.r);
+
+    int count = 0;
+    for (int i = a; i < a + A.end - A.begin; ++i) {
+      const double ex = x[i] - B.x, ey = y[i] - B.y, ez = z[i] - B.z;
+      reaching[count] = i;
+      count += ex * ex + ey * ey + ez * ez < near2;
+    }
+    for (int k = 0; k < count; ++k) {
+      const int i = reaching[k];
+      const double xi = x[i], yi = y[i], zi = z[i], kqi = law.k * q[i];
+      double *const sx = &s.sx[i * LANES], *const sy = &s.sy[i * LANES], *const sz = &s.sz[i * LANES];
+      for (int j = b; j < b + n; j += LANES) {
+#pragma omp simd simdlen(8)
+        for (int l = 0; l < LANES; ++l) {
+          const double dx = xi - x[j + l], dy = yi - y[j + l], dz = zi - z[j + l];
+          const double r2 = dx * dx + dy * dy + dz * dz;
+          const double inv = invSqrt(r2 > least ? r2 : least);
+          const double uncut = kqi * q[j + l] * (inv * inv - shift) * inv;
+          const double w = r2 < cut2 ? uncut : 0.0;
+          sx[l] += w * dx;
+          sy[l] += w * dy;
+          sz[l] += w * dz;
+          fx[j + l] -= back * w * dx;
+          fy[j + l] -= back * w * dy;
+          fz[j + l] -= back * w * dz;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void coulombForces(ChargeGroups& c, const CoulombLaw& law)
+{
+  fillLanes(c);
+  act(c, law, pairsInReach(c, law));
+  const ChargeGroups::Lanes& s = c.lanes;
+
+  for (auto* f : {&c.fx, &c.fy, &c.fz}) f->resize(c.x.size());
+  for (std::size_t k = 0; k < c.groups.size(); ++k)
+    for (int i = c.groups[k].begin, l = s.begin[k]; i < c.groups[k].end; ++i, ++l) {
+      const double *sx = &s.sx[l * LANES], *sy = &s.sy[l * LANES], *sz = &s.sz[l * LANES];
+      c.fx[i] = std::accumulate(sx, sx + LANES, s.fx[l]);
+      c.fy[i] = std::accumulate(sy, sy + LANES, s.fy[l]);
+      c.fz[i] = std::accumulate(sz, sz + LANES, s.fz[l]);
+    }
 }
 
 }  // namespace clay

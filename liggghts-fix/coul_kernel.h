@@ -35,6 +35,17 @@ struct ChargeGroups {
   std::vector<double> fx, fy, fz;     ///< forces [N]
   std::vector<Group> groups;
 
+  /// What coulombForces works with: the spheres again, each group filled up to
+  /// whole vector registers with spheres without charge.
+  struct Lanes {
+    static constexpr int WIDTH = 8;  ///< doubles in the widest register
+    std::vector<int> begin;          ///< of each group
+    std::vector<int> reaching;       ///< spheres of a group within another's reach
+    std::vector<double> x, y, z, q;
+    std::vector<double> fx, fy, fz;  ///< force on a sphere of a pair's second group
+    std::vector<double> sx, sy, sz;  ///< force on one of its first, in WIDTH parts
+  } lanes;
+
   /// Forgets the spheres and groups; the forces stay until they are set anew.
   void clear();
   void add(double px, double py, double pz, double charge);

@@ -32,7 +32,7 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
   interval_(0), dt_(0.), idle_(false), opened_(-1), pending_(false), check_limit_(true),
   warned_(false), exchanges_(0),
-  bodies_(NULL), fluid_(NULL), last_time_(0.)
+  bodies_(NULL), fluid_(NULL), listed_(-1), last_time_(0.)
 {
   parse(narg,arg);
   given_[0] = given_[1] = given_[2] = 0.;
@@ -284,6 +284,7 @@ void FixCoupleFoam::setup_pre_force(int)
 
 void FixCoupleFoam::setup(int)
 {
+  listed_ = -1;
   if (!idle_) apply(true);
 }
 
@@ -327,6 +328,7 @@ void FixCoupleFoam::restart(char *buf)
 
 void FixCoupleFoam::pre_exchange()
 {
+  listed_ = -1;
   if (pending_) take_answer();
 }
 

@@ -75,6 +75,7 @@ class FixCoupleFoam : public Fix {
   void check_finite();
   void apply(bool setupflag);
   bool free_sphere(int i) const;
+  void list_free();
 
   int interval_;                 // DEM steps between two exchanges
   double dt_;                    // DEM step at the start of the run [s]
@@ -86,6 +87,8 @@ class FixCoupleFoam : public Fix {
   long exchanges_;
   FixMultisphereClump *bodies_;  // null without clumps
   double **fluid_;               // per-atom store
+  std::vector<int> free_;        // spheres in no body
+  int listed_;                   // local spheres when they were listed; -1 when out of date
   double given_[3];              // impulse given to this rank's particles [N s]
 
   std::unique_ptr<clay::DemSession> session_;

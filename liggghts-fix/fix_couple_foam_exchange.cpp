@@ -211,8 +211,8 @@ void FixCoupleFoam::apply(bool setupflag)
   double **v = atom->v;
   double **f = atom->f;
 
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!free_sphere(i)) continue;
+  if (listed_ != atom->nlocal) list_free();
+  for (int i : free_) {
     double *s = fluid_[i];
     const double a = s[DRAG]*dt/atom->rmass[i];
     const double phi = relaxation_factor(a);
@@ -225,6 +225,16 @@ void FixCoupleFoam::apply(bool setupflag)
       f[i][k] += force;
     }
   }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::list_free()
+{
+  free_.clear();
+  listed_ = atom->nlocal;
+  for (int i = 0; i < listed_; i++)
+    if (free_sphere(i)) free_.push_back(i);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -1,8 +1,9 @@
 /* ----------------------------------------------------------------------
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
-   fix ID group multisphere/clump: LIGGGHTS's multisphere bodies, with the
-   fluid's drag on each body applied implicitly in velocity and spin.
+   fix ID group multisphere/clump: LIGGGHTS's multisphere bodies, moved by
+   leaner loops, with the fluid's drag on each body applied implicitly in
+   velocity and spin.
 ------------------------------------------------------------------------- */
 
 #ifdef FIX_CLASS
@@ -17,6 +18,7 @@ FixStyle(multisphere/clump,FixMultisphereClump)
 #include <vector>
 
 #include "body_drag.h"
+#include "body_spheres.h"
 #include "fix_multisphere.h"
 
 namespace LAMMPS_NS {
@@ -27,15 +29,19 @@ class FixMultisphereClump : public FixMultisphere {
   struct Sphere {
     int atom;         ///< local or ghost index
     int body;         ///< local index of the body
-    double r[3];      ///< from the body's centre of mass, space axes [m]
+    const double *r;  ///< from the body's centre of mass, body axes [m]
     double fraction;  ///< share of the body's volume it stands for
   };
 
   FixMultisphereClump(class LAMMPS *, int, char **);
 
+  void initial_integrate(int vflag);
+  void final_integrate();
   void calc_force(bool setupflag);
+  void pre_neighbor();
 
-  /// All spheres of this processor's bodies, ghosts among them.
+  /// All spheres of this processor's bodies, ghosts among them; valid until the
+  /// next neighbour list is built.
   void spheres(std::vector<Sphere> &list);
 
   /// Takes the fluid's action on a body, until it is given anew.
@@ -56,14 +62,39 @@ class FixMultisphereClump : public FixMultisphere {
 
  private:
   // what is kept of the fluid, per body: it moves with the body
-  enum { RESISTANCE = 0, DRIVE = 21, LOAD = 27, FORCE = 33, IMPULSE = 36, OWNER = 39, SIZE = 40 };
+  struct Fluid {
+    DragStep drag;
+    double force[3];    // of the last step [N]
+    double impulse[3];  // since the last exchange [N s]
+    double owner;       // whose it is
+  };
+  enum { SIZE = sizeof(Fluid)/sizeof(double) };
   typedef VectorContainer<double,SIZE> Store;
+  typedef VectorContainer<double,3> Vectors;
 
-  void apply_drag(bool setupflag);
-  double *stored(int ibody);
+  bool stock_features();
+  bool images() const;
+  void sort_spheres();
+  void place(int ibody);
+  void sum_forces(int ibody, const double *gravity, bool setupflag);
+  void apply_drag(int ibody, bool setupflag);
+  void half_kick(int ibody);
+  void turn(int begin, int end);
+  Fluid &stored(int ibody);
+  Vectors &vectors(const char *name);
+
+  // of the bodies, kept by LIGGGHTS
+  Vectors &xcm_, &vcm_, &fcm_, &torque_, &dragforce_, &hdtorque_;
+  Vectors &angmom_, &omega_, &inertia_, &ex_, &ey_, &ez_;
+  VectorContainer<double,4> &quat_;
+  VectorContainer<bool,3> &fflag_, &tflag_;
 
   Store *store_;
   bool coupled_;
+  BodySpheres spheres_;
+  bool unsorted_;    // spheres have changed places in memory
+  bool unturned_;    // bodies have turned without spheres_
+  int natoms_;       // local and ghost ones when sorted
 };
 
 }

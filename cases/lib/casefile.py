@@ -19,7 +19,8 @@ _NEEDED = {
     "curve_rows": {"min": 1, "whole": True},
     "seed": {"min": 1, "whole": True},
 }
-_ENTRIES = ("value", "unit", "is", "choices", "min", "max", "above", "below", "whole")
+_ENTRIES = ("value", "unit", "is", "choices", "or", "min", "max", "above", "below", "whole")
+_PARTS = ("title", "like", "set", "parameters")
 _MOST_STEPS = 2**31 - 1  # LIGGGHTS counts the steps of a run in 32 bits
 
 
@@ -35,8 +36,29 @@ def nearest(word, known, what):
 
 
 def names():
-    """The cases there are: folders with a case.json."""
-    return sorted(d for d in os.listdir(CASES) if os.path.isfile(os.path.join(CASES, d, "case.json")))
+    """The cases there are: folders with a case.json that has a title; one
+    without holds what other cases share."""
+    return sorted(d for d in _folders() if "title" in _read(d))
+
+
+def _folders():
+    return [d for d in os.listdir(CASES) if os.path.isfile(os.path.join(CASES, d, "case.json"))]
+
+
+def _read(name):
+    """A folder's case.json."""
+    path = os.path.join(CASES, name, "case.json")
+    try:
+        with open(path, encoding="utf-8") as f:
+            found = json.load(f)
+    except ValueError as e:
+        raise CaseError(f"{path}: {e}") from None
+    if not isinstance(found, dict):
+        raise CaseError(f"{path}: an object with title, like, set, parameters is wanted")
+    for word in found:
+        if word not in _PARTS:
+            raise CaseError(f"{path}: {nearest(word, _PARTS, 'entry')}")
+    return found
 
 
 def _every(n, wanted):
@@ -57,40 +79,59 @@ class Case:
         if name not in known:
             raise CaseError(nearest(name, known, "case"))
         self.name = name
-        self.folder = os.path.join(CASES, name)
-        path = os.path.join(self.folder, "case.json")
-        try:
-            with open(path, encoding="utf-8") as f:
-                text = json.load(f)
-            self.title = text["title"]
-            self.parameters = text["parameters"]
-            self.values = {k: p["value"] for k, p in self.parameters.items()}
-        except KeyError as e:
-            raise CaseError(f"{path}: the entry {e} is missing") from None
-        except (ValueError, TypeError, AttributeError) as e:
-            raise CaseError(f"{path}: {e}") from None
+        self.folders = []  # of the cases this one is like, the remotest first, its own last
+        self.parameters, self.values = {}, {}
+        self._load(name, [])
+        self.title = _read(name)["title"]
+        path = os.path.join(self.folders[-1], "case.json")
         for key in _NEEDED:
             if key not in self.values:
                 raise CaseError(f"{path}: the parameter '{key}' is missing; every case has it")
-        for key, entry in self.parameters.items():
-            for word in entry:
-                if word not in _ENTRIES:
-                    raise CaseError(f"{path}: {key}: {nearest(word, _ENTRIES, 'entry')}")
-            if "is" not in entry:
-                raise CaseError(f"{path}: {key}: the entry 'is', what it stands for, is missing")
-            try:
-                self._check(key, self.values[key], self.values[key])
-            except CaseError as e:
-                raise CaseError(f"{path}: {e}") from None
+
+    def _load(self, name, below):
+        """Takes over what case `name` says, after all that it is like."""
+        folder = os.path.join(CASES, name)
+        path = os.path.join(folder, "case.json")
+        found = _read(name)
+        if "like" in found:
+            other = found["like"]
+            if other in below + [name]:
+                raise CaseError(f"{path}: like = {other}: a case cannot be like itself")
+            if other not in _folders():
+                raise CaseError(f"{path}: like: {nearest(str(other), _folders(), 'case')}")
+            self._load(other, below + [name])
+        self.folders.append(folder)
+        try:
+            for key, entry in found.get("parameters", {}).items():
+                for word in entry:
+                    if word not in _ENTRIES:
+                        raise CaseError(f"{key}: {nearest(word, _ENTRIES, 'entry')}")
+                for word in ("is", "value"):
+                    if word not in entry:
+                        raise CaseError(f"{key}: the entry '{word}' is missing")
+                self.parameters[key] = dict(entry)
+                self.values[key] = entry["value"]
+                self._check(key, entry["value"], entry["value"])
+            for key, value in found.get("set", {}).items():
+                if key not in self.values:
+                    raise CaseError(f"set: {nearest(key, list(self.values), 'key')}")
+                self._check(key, value, value)
+                self.values[key] = value
+        except CaseError as e:
+            raise CaseError(f"{path}: {e}") from None
+        except (TypeError, AttributeError) as e:
+            raise CaseError(f"{path}: {e}") from None
 
     def _check(self, key, value, shown):
         """Refuses a value that is not what its entry in case.json asks for."""
         entry = {**_NEEDED.get(key, {}), **self.parameters[key]}
+        if value in entry.get("or", ()):
+            return
         if "choices" in entry:
             good = value in entry["choices"]
             wanted = "one of " + ", ".join(str(c) for c in entry["choices"])
-        elif isinstance(value, str):
-            good = re.fullmatch(r"[\w.+-]+", value)
+        elif isinstance(entry["value"], str) and "or" not in entry:
+            good = isinstance(value, str) and re.fullmatch(r"[\w.+-]+", value)
             wanted = "a single word"
         else:
             limits = [(entry[k], words, holds) for k, words, holds in (
@@ -103,6 +144,8 @@ class Case:
             wanted = "a whole number" if entry.get("whole") else "a finite number"
             if limits:
                 wanted += " " + " and ".join(f"{words} {text(at)}" for at, words, _ in limits)
+            if "or" in entry:
+                wanted += ", or " + " or ".join(entry["or"])
         if not good:
             raise CaseError(f"{key} = {shown}: {wanted} is wanted ({entry['is']})")
 
@@ -110,20 +153,23 @@ class Case:
         """Takes a changed value; its type is that of the value in case.json."""
         if key not in self.values:
             raise CaseError(nearest(key, list(self.values), f"key of case {self.name}"))
-        entry, old = self.parameters[key], self.parameters[key]["value"]
+        entry = self.parameters[key]
+        words = entry.get("or", ())
         value = text
-        if not isinstance(old, str):
+        if text not in words and (words or not isinstance(entry["value"], str)):
             try:
                 value = float(text)
             except ValueError:
-                raise CaseError(f"{key} = {text}: a number is wanted ({entry['is']})") from None
+                wanted = " or ".join(["a number", *words])
+                raise CaseError(f"{key} = {text}: {wanted} is wanted ({entry['is']})") from None
         self._check(key, value, text)
-        if isinstance(old, int) and value == int(value):
+        if entry.get("whole") and not isinstance(value, str):
             value = int(value)
         self.values[key] = value
 
     def derive(self, dem_ranks, cfd_ranks):
-        """What both halves' input needs besides: counts of steps."""
+        """What both halves' input needs besides: counts of steps, numbers for words."""
+        from suspension import resolve
         v = self.values
         if v["end"] / v["dem_step"] > _MOST_STEPS:
             raise CaseError(f"end = {v['end']} s: at most {_MOST_STEPS} steps of dem_step = {v['dem_step']} s are wanted")
@@ -133,6 +179,7 @@ class Case:
         every = int(v["coupling_steps"])
         frame = every * _every(max(1, steps // every), steps / v["frames"] / every)
         return {
+            **resolve(v),
             "steps": steps,
             "coupling_time": v["dem_step"] * every,
             "frame_steps": frame,

@@ -1,74 +1,170 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-"""Random places for the clumps, the same on any number of ranks."""
+"""The particles' places at the start: chooses the method, writes packing.liggghts
+and packing.places for LIGGGHTS, and a report, packing.json."""
 
+import contextlib
+import hashlib
+import json
 import math
 import os
 import random
+import shutil
+import time
 
-from casefile import CaseError, text
+import numpy as np
 
-_TRIES = 20000
+import pack_expansion
+import pack_packmol
+import pack_random
+import pack_shapes
+from casefile import TOP, CaseError
+from suspension import particle_volume
 
-
-def bounding_radius(sphere, layers):
-    """Radius [m] of the sphere around a clump of two layers of seven spheres."""
-    return math.hypot(2 * sphere, 0.5 * layers) + sphere
-
-
-def _rotation(rng):
-    """A rotation drawn uniformly, as a quaternion."""
-    a, b, c = rng.random(), 2 * math.pi * rng.random(), 2 * math.pi * rng.random()
-    s, t = math.sqrt(1 - a), math.sqrt(a)
-    return s * math.sin(b), s * math.cos(b), t * math.sin(c), t * math.cos(c)
-
-
-def places(count, around, radius, height, seed):
-    """Centres and rotations of clumps that touch neither each other nor the tube."""
-    rng = random.Random(seed)
-    found = []
-    for _ in range(count):
-        for _ in range(_TRIES):
-            x, y = (rng.uniform(-1, 1) * (radius - around) for _ in range(2))
-            z = rng.uniform(around, height - around)
-            if math.hypot(x, y) <= radius - around and all(
-                    (x - p[0]) ** 2 + (y - p[1]) ** 2 + (z - p[2]) ** 2 >= 4 * around ** 2
-                    for p, _ in found):
-                found.append(((x, y, z), _rotation(rng)))
-                break
-        else:
-            raise CaseError(f"clumps = {count}: only {len(found)} find room in the tube of radius "
-                            f"{text(radius)} m and height {text(height)} m")
-    return found
+METHODS = ("random", "packmol", "expansion")
+CLUMPS, SPHERE = ("ill", "kao"), "grain"  # the input's fixes particletemplate/*
+# what makes a packing another one, besides the sources
+_KEYS = ("packing", "clumps", "spheres", "sphere_radius", "layer_spacing", "volume", "tube_radius",
+         "fill_height", "seed", "illite_share")
 
 
 def write(folder, v):
-    """packing.liggghts: puts every clump of the case in its place.
+    """Packs the particles of the case and gives the report. The values v hold
+    numbers in place of words. A packing that was made before is taken again."""
+    if v["packing"] not in METHODS:
+        raise CaseError(f"packing = {v['packing']}: one of {', '.join(METHODS)} is wanted")
+    _clear(folder)
+    store = os.path.join(TOP, "build", "packings", _key(v))
+    kept = os.path.isfile(os.path.join(store, "packing.json"))
+    if not kept:
+        part = f"{store}.{os.getpid()}"
+        os.makedirs(part)
+        try:
+            _make(part, v)
+            with contextlib.suppress(OSError):  # another run was quicker
+                os.rename(part, store)
+        except CaseError:
+            if os.path.isdir(os.path.join(part, "packmol")):  # what packmol said
+                shutil.copytree(os.path.join(part, "packmol"), os.path.join(folder, "packmol"), dirs_exist_ok=True)
+            raise
+        finally:
+            shutil.rmtree(part, ignore_errors=True)
+    shutil.copytree(store, folder, dirs_exist_ok=True)
+    with open(os.path.join(folder, "packing.json"), encoding="utf-8") as f:
+        report = json.load(f)
+    print(line(report) + (", kept from before" if kept else ""), flush=True)
+    return report
 
-    Illite and kaolinite in the asked share, at random; templates ill and kao.
-    """
+
+def _clear(folder):
+    """Takes away what an older packing left in the folder."""
+    shutil.rmtree(os.path.join(folder, "packmol"), ignore_errors=True)
+    for name in ("packing.liggghts", "packing.places", "packing.json"):
+        with contextlib.suppress(FileNotFoundError):
+            os.remove(os.path.join(folder, name))
+
+
+def line(report):
+    """The report in one line."""
+    return (f"packing: {report['count']} {report['particles']} by {report['method']}, "
+            f"solid fraction {report['solid_fraction']:.4g}, largest overlap {report['overlap']:.2g} d, "
+            f"seed {report['seed']}, {report['seconds']:.1f} s")
+
+
+def _key(v):
+    values = {k: v[k] for k in _KEYS if k in v}
+    sources = b""
+    for module in (pack_shapes, pack_random, pack_packmol, pack_expansion):
+        with open(module.__file__, "rb") as f:
+            sources += f.read()
+    with open(__file__, "rb") as f:
+        sources += f.read()
+    return hashlib.sha256(repr(values).encode() + sources).hexdigest()[:16]
+
+
+def shape_of(v):
+    """The case's particle."""
+    if "clumps" in v:
+        return pack_shapes.plate(v["sphere_radius"], v["layer_spacing"])
+    return pack_shapes.single(v["sphere_radius"])
+
+
+def kinds_of(v):
+    """The template of every particle: illite in the asked share, at random."""
+    if "clumps" not in v:
+        return [SPHERE] * int(v["spheres"])
     count = int(v["clumps"])
-    around = bounding_radius(v["sphere_radius"], v["layer_spacing"])
-    if count < 1:
-        raise CaseError(f"clumps = {v['clumps']}: at least one is wanted")
-    if not 0 <= v["illite_share"] <= 1:
-        raise CaseError(f"illite_share = {v['illite_share']}: a number from 0 to 1 is wanted")
-    found = places(count, 1.01 * around, v["tube_radius"], v["tube_height"], v["seed"])
     illite = math.floor(count * v["illite_share"] + 0.5)
-    kinds = ["ill"] * illite + ["kao"] * (count - illite)
+    kinds = [CLUMPS[0]] * illite + [CLUMPS[1]] * (count - illite)
     random.Random(v["seed"]).shuffle(kinds)
+    return kinds
 
-    # LIGGGHTS's own random numbers decide nothing here
-    point = 1e-10  # [m], half the side of the box a centre falls into
+
+def _make(folder, v):
+    """Packs, looks at what came out, writes the files."""
+    shape, kinds = shape_of(v), kinds_of(v)
+    what = "clumps" if "clumps" in v else "spheres"
+    if not kinds:
+        raise CaseError(f"{what} = {v[what]}: at least one is wanted")
+    tube = pack_shapes.Tube(v["tube_radius"], v["fill_height"])
+    solid_fraction = len(kinds) * particle_volume(v) / (math.pi * tube.radius**2 * tube.height)
+    began = time.monotonic()
+    try:
+        x, q = _place(v["packing"], shape, kinds, tube, v["seed"], solid_fraction, _Progress(),
+                      os.path.join(folder, "packmol"))
+    except pack_shapes.NotPacked as e:
+        raise CaseError(
+            f"{what} = {len(kinds)}, solid_fraction = {solid_fraction:.4g}: packing = {v['packing']} reached "
+            f"{e.share * solid_fraction:.3g} at most ({e}); "
+            + ("take less" if v["packing"] == "expansion" else "take less, or packing = expansion")) from None
+    report = {
+        "method": v["packing"], "particles": what, "count": len(kinds), "seed": int(v["seed"]),
+        "solid_fraction": solid_fraction,
+        "overlap": pack_shapes.overlaps(shape, x, q)[0] / (2 * shape.radius),
+        "beyond_tube": float(tube.beyond(shape.spheres(x, q), shape.radius).max()) / (2 * shape.radius),
+        "seconds": round(time.monotonic() - began, 3)}
+    with open(os.path.join(folder, "packing.json"), "w", encoding="utf-8") as f:
+        json.dump(report, f, indent=2)
+        f.write("\n")
+    _write_places(folder, line(report), kinds, x, q, what)
+
+
+def _place(method, shape, kinds, tube, seed, solid_fraction, say, folder):
+    if method == "random":
+        return pack_random.place(shape, len(kinds), tube, seed, say)
+    if method == "expansion":
+        return pack_expansion.place(shape, len(kinds), tube, seed, say, solid_fraction)
+    return pack_packmol.place(shape, kinds, tube, seed, say, folder)
+
+
+class _Progress:
+    """Prints what is said to it, every five seconds."""
+
+    def __init__(self):
+        self.last = time.monotonic()
+
+    def __call__(self, text):
+        now = time.monotonic()
+        if now - self.last > 5:
+            self.last = now
+            print(f"packing: {text}", flush=True)
+
+
+def _write_places(folder, about, kinds, x, q, what):
+    templates = CLUMPS if what == "clumps" else (SPHERE,)
+    with open(os.path.join(folder, "packing.places"), "w", encoding="utf-8") as f:
+        f.write(f"# {about}\n# template x y z" + (" q0 q1 q2 q3\n" if what == "clumps" else "\n"))
+        for kind, centre, turn in zip(kinds, x, q):
+            numbers = [*centre, *turn] if what == "clumps" else centre
+            f.write(kind + "".join(f" {c:.15g}" for c in numbers) + "\n")
     with open(os.path.join(folder, "packing.liggghts"), "w", encoding="utf-8") as f:
-        f.write("# This file is made by cases/run: a place for every clump\n")
-        for kind in sorted(set(kinds)):
-            f.write(f"fix only_{kind} all particledistribution/discrete/numberbased 10037 1 {kind} 1.\n")
-        for i, ((xyz, q), kind) in enumerate(zip(found, kinds)):
-            box = " ".join(f"{c - point:.12g} {c + point:.12g}" for c in xyz)
-            f.write(f"region at{i} block {box} units box volume_limit 1e-40\n"
-                    f"fix put{i} all insert/pack seed 10039 distributiontemplate only_{kind} "
-                    f"insert_every once overlapcheck no all_in no verbose no "
-                    f"orientation constant {' '.join(f'{c:.12g}' for c in q)} "
-                    f"region at{i} warn_region no ntry_mc 1000 particles_in_region 1\n")
-        f.write("run 1\n")
-        f.writelines(f"unfix put{i}\nregion at{i} delete\n" for i in range(count))
+        f.write("# This file is made by cases/run: every particle in its place\n"
+                f"fix put all insert/placed file packing.places templates {' '.join(templates)}\n")
+
+
+def read_places(path):
+    """Kinds, centres (N, 3) and rotations (N, 4) of a list that was written."""
+    with open(path, encoding="utf-8") as f:
+        rows = [r.split() for r in f if r.strip() and not r.startswith("#")]
+    numbers = np.array([r[1:] for r in rows], dtype=float)
+    q = numbers[:, 3:] if numbers.shape[1] == 7 else np.tile([1.0, 0, 0, 0], (len(rows), 1))
+    return [r[0] for r in rows], numbers[:, :3], q

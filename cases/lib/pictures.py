@@ -2,6 +2,7 @@
 """The pictures of a run: settling.png and columns.png."""
 
 import os
+from dataclasses import dataclass
 
 from casefile import TOP, CaseError
 
@@ -16,7 +17,7 @@ import numpy as np
 import openfoam
 import spheres
 
-_DAY = 86400.0
+DAY = 86400.0
 
 
 def settling(folder, curve, time_scale, title):
@@ -32,7 +33,7 @@ def settling(folder, curve, time_scale, title):
     ax.set_ylabel("height [mm]")
     ax.set_xlim(0, t[-1])
     ax.set_ylim(bottom=0)
-    scale = time_scale / _DAY
+    scale = time_scale / DAY
     days = ax.secondary_xaxis("top", functions=(lambda x: x * scale, lambda x: x / scale))
     days.set_xlabel(f"time in the laboratory [days], scaled by {time_scale:.3g}")
     ax.grid(alpha=0.3)
@@ -72,43 +73,69 @@ def telling(folder, times, count):
     return np.unique([np.abs(way - s).argmin() for s in np.linspace(0, way[-1], count)])
 
 
-def columns(folder, values, title, count=6):
-    """The column at six times: clumps, and beside them a cut of the flow."""
-    radius, height, step = values["tube_radius"], values["tube_height"], values["dem_step"]
-    cfd = os.path.join(folder, "CFD")
-    moments = spheres.dumps(folder)
-    flows = openfoam.times(cfd)
+@dataclass(frozen=True)
+class Moment:
+    """The column at one time [s]: its spheres, and a cut of the flow."""
+
+    time: float
+    spheres: dict
+    flow: tuple
+
+    @property
+    def top_speed(self):
+        return float(self.flow[0].max())
+
+
+def moments(folder, values, count):
+    """The Moments of a run that tell most, the first and the last among them."""
+    step, cfd = values["dem_step"], os.path.join(folder, "CFD")
+    dumps, flows = spheres.dumps(folder), openfoam.times(cfd)
     if not flows:
         raise CaseError(f"{cfd} holds no output times of the CFD half")
-    chosen = [moments[i] for i in telling(folder, [n * step for n, _ in moments], count)]
     centres = openfoam.cell_centres(os.path.join(cfd, "constant", "polyMesh"))
-    cuts = []
-    for number, _ in chosen:
+    found = []
+    for i in telling(folder, [n * step for n, _ in dumps], count):
+        number, path = dumps[i]
         nearest = min(flows, key=lambda f: abs(f[0] - number * step))
-        cuts.append(_cut(cfd, nearest[1], radius, height, centres))
-    top = max(c[0].max() for c in cuts) or 1e-12
+        found.append(Moment(number * step, spheres.read(path),
+                            _cut(cfd, nearest[1], values["tube_radius"], values["tube_height"], centres)))
+    return found
+
+
+def pair(left, right, moment, values, top, colours=None, pixels=8000.0):
+    """Draws a Moment into two axes, spheres and flow, colours up to the speed
+    `top` [m/s]; returns the image of the flow."""
+    radius, height = values["tube_radius"], values["tube_height"]
+    image, extent = spheres.picture(moment.spheres, radius, height, pixels, colours=colours)
+    left.imshow(image, origin="lower", extent=extent, interpolation="antialiased")
+    left.plot([-radius, -radius, radius, radius], [height, 0, 0, height], color="0.4", lw=0.7)
+    speed, x, z, u, w = moment.flow
+    shown = right.imshow(1e3 * speed, origin="lower", extent=(-radius, radius, 0, height),
+                         cmap="viridis", vmin=0, vmax=1e3 * top, interpolation="nearest")
+    right.quiver(x, z, u, w, color="white", scale=5 * top, width=0.03, pivot="middle")
+    for a in (left, right):
+        a.set_xlim(-1.05 * radius, 1.05 * radius)
+        a.set_ylim(-0.02 * height, 1.02 * height)
+        a.set_aspect("equal")
+        a.axis("off")
+    return shown
+
+
+def columns(folder, values, title, count=6):
+    """The column at six times: clumps, and beside them a cut of the flow."""
+    chosen = moments(folder, values, count)
+    top = max(m.top_speed for m in chosen) or 1e-12
 
     # panes as wide as the tube drawn to scale, room above for the times
     wide = 0.95
-    tall = 0.92 * wide * height / (2 * radius) + 0.75
+    tall = 0.92 * wide * values["tube_height"] / (2 * values["tube_radius"]) + 0.75
     fig, axes = plt.subplots(1, 2 * len(chosen), figsize=(2.1 * wide * len(chosen), tall),
                              gridspec_kw={"wspace": 0.08, "left": 0, "right": 0.94, "bottom": 0,
                                           "top": 1 - 0.7 / tall})
-    for k, ((number, path), (speed, x, z, u, w)) in enumerate(zip(chosen, cuts)):
-        left, right = axes[2 * k], axes[2 * k + 1]
-        image, extent = spheres.picture(spheres.read(path), radius, height)
-        left.imshow(image, origin="lower", extent=extent, interpolation="antialiased")
-        shown = right.imshow(1e3 * speed, origin="lower", extent=(-radius, radius, 0, height),
-                             cmap="viridis", vmin=0, vmax=1e3 * top, interpolation="nearest")
-        right.quiver(x, z, u, w, color="white", scale=5 * top, width=0.03, pivot="middle")
-        left.plot([-radius, -radius, radius, radius], [height, 0, 0, height], color="0.4", lw=0.7)
-        t = number * step
-        left.set_title(f"{t:.3g} s\n{t * values['time_scale'] / _DAY:.3g} d", fontsize=9, loc="left")
-        for a in (left, right):
-            a.set_xlim(-1.05 * radius, 1.05 * radius)
-            a.set_ylim(-0.02 * height, 1.02 * height)
-            a.set_aspect("equal")
-            a.axis("off")
+    for k, moment in enumerate(chosen):
+        shown = pair(axes[2 * k], axes[2 * k + 1], moment, values, top)
+        axes[2 * k].set_title(f"{moment.time:.3g} s\n{moment.time * values['time_scale'] / DAY:.3g} d",
+                              fontsize=9, loc="left")
     bar = fig.colorbar(shown, cax=fig.add_axes([0.95, 0.02, 0.009, 0.9 - 0.7 / tall]))
     bar.set_label("fluid speed in the plane y = 0 [mm/s]")
     fig.suptitle(title, fontsize=9, y=0.995)

@@ -44,12 +44,12 @@ def run_folder(case, out, derived):
         f.write(f"{case.name}: {case.title}\n\n{case.table()}\n")
 
     # shared files first, so that a case's own take their place
-    for source in (os.path.join(CASES, "common"), case.folder):
+    for source in (os.path.join(CASES, "common"), *case.folders):
         shutil.copytree(source, out, dirs_exist_ok=True,
                         ignore=shutil.ignore_patterns("case.json", "README*"))
     _parameters(out, {**case.values, **derived})
-    if "clumps" in case.values:
-        packing.write(out, case.values)
+    if "packing" in case.values:
+        packing.write(out, {**case.values, **derived})
     _mesh(os.path.join(out, "CFD"), case, derived)
     return out
 

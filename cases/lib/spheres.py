@@ -49,7 +49,7 @@ def write_vtp(path, s):
         f.write('<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" '
                 'byte_order="LittleEndian" header_type="UInt64">\n<PolyData>\n'
                 f'<Piece NumberOfPoints="{n}" NumberOfVerts="{n}">\n<PointData Scalars="clump">\n'
-                + _array("clump", s["mol"], "Int64") + _array("type", s["type"], "Int64")
+                + _array("clump", s.get("mol", s["id"]), "Int64") + _array("type", s["type"], "Int64")
                 + _array("id", s["id"], "Int64") + _array("radius", s["radius"], "Float64")
                 + _array("velocity", velocity, "Float64", 3)
                 + "</PointData>\n<Points>\n" + _array("Points", xyz, "Float64", 3)
@@ -70,12 +70,23 @@ def for_paraview(folder, dem_step):
                 + "".join(lines) + "</Collection>\n</VTKFile>\n")
 
 
-def picture(s, radius, height, pixels=8000.0, tilt=8.0):
+def hues(s):
+    """A colour for every sphere, that of its clump; neighbours differ."""
+    import colorsys
+    of = {}
+    for k in np.unique(s.get("mol", s["id"])).astype(int):
+        # hues a golden section apart
+        of[k] = colorsys.hsv_to_rgb(k * 0.618034 % 1, 0.45 + 0.4 * (k % 3) / 2, 0.98)
+    return np.array([of[int(k)] for k in s.get("mol", s["id"])])
+
+
+def picture(s, radius, height, pixels=8000.0, tilt=8.0, colours=None):
     """An image (rows, columns, RGBA) of the spheres, coloured by clump.
 
     Seen level with the tube's axis, from tilt degrees above; pixels a metre.
+    colours: one for every sphere (RGB), in place of hues(s).
     """
-    import colorsys
+    colours = hues(s) if colours is None else colours
     c, sn = np.cos(np.radians(tilt)), np.sin(np.radians(tilt))
     right, depth = s["x"], -s["y"] * c + s["z"] * sn
     up = s["z"] * c + s["y"] * sn
@@ -100,9 +111,6 @@ def picture(s, radius, height, pixels=8000.0, tilt=8.0):
         shown = (inside > 0) & (z > nearest[y0:y1, x0:x1])
         nearest[y0:y1, x0:x1][shown] = z[shown]
         shade = 0.35 + 0.65 * np.maximum(0, light[0] * u + light[1] * v + light[2] * w)
-        # hues a golden section apart: neighbours differ
-        k = int(s["mol"][i])
-        colour = colorsys.hsv_to_rgb(k * 0.618034 % 1, 0.45 + 0.4 * (k % 3) / 2, 0.98)
         image[y0:y1, x0:x1][shown] = np.concatenate(
-            [np.clip(shade[shown][:, None] * np.array(colour), 0, 1), np.ones((shown.sum(), 1))], axis=1)
+            [np.clip(shade[shown][:, None] * colours[i], 0, 1), np.ones((shown.sum(), 1))], axis=1)
     return image, (-radius, radius, low, high)

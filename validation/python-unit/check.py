@@ -1,12 +1,13 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-"""The unit tests of validation/theory, one row each."""
+"""The unit tests of the Python parts, one row each."""
 
 import os
+import sys
 import unittest
 
 import coupled
 
-TITLE = "the unit tests of the theory that runs are held against"
+TITLE = "the unit tests of validation/theory and cases/lib"
 
 
 class _Rows(unittest.TestResult):
@@ -50,10 +51,13 @@ class _Rows(unittest.TestResult):
 
 
 def run(checks):
-    top = os.path.join(coupled.TOP, "validation")
-    suite = unittest.TestLoader().discover(os.path.join(top, "theory"), "test_*.py", top)
-    result = _Rows(checks)
-    suite.run(result)
-    files = sum(f.startswith("test_") and f.endswith(".py")
-                for f in os.listdir(os.path.join(top, "theory")))
-    checks.at_least("tests run, over files of tests", float(result.testsRun), float(files))
+    for folder, top in (("validation/theory", "validation"), ("cases/lib", "cases/lib")):
+        folder, top = os.path.join(coupled.TOP, folder), os.path.join(coupled.TOP, top)
+        # to the end: the names that both libraries have stay this one's
+        sys.path.append(top)
+        suite = unittest.TestLoader().discover(folder, "test_*.py", top)
+        result = _Rows(checks)
+        suite.run(result)
+        files = sum(f.startswith("test_") and f.endswith(".py") for f in os.listdir(folder))
+        checks.at_least(f"tests run, over files of tests in {os.path.relpath(folder, coupled.TOP)}",
+                        float(result.testsRun), float(files))

@@ -1,0 +1,239 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""cases/calibrate: finds charge and time scale from a measured curve."""
+
+import argparse
+import csv
+import json
+import os
+import sys
+
+import numpy as np
+
+import caldata
+import calloop
+import launch
+import runs
+from casefile import TOP, Case, CaseError, text
+from sweep import guarded
+
+_DEFAULT = (0.5, 0.85, 1.2)  # of the case's charge: charges to begin with
+
+
+def parser():
+    p = argparse.ArgumentParser(
+        prog="cases/calibrate", allow_abbrev=False,
+        description="Finds the charge and the time scale with which a case follows a measured settling curve, "
+                    "and predicts the end of consolidation. cases/CALIBRATION.md says how.")
+    p.add_argument("name", metavar="CASE", help="the case")
+    what = p.add_mutually_exclusive_group(required=True)
+    what.add_argument("--data", metavar="FILE", help="measured curve: CSV of days, height")
+    what.add_argument("--make-data", metavar="FILE", help="write a made-up curve instead, by running the case")
+    p.add_argument("--height0", type=float, metavar="H",
+                   help="height at the start, that heights are divided by (the first)")
+    p.add_argument("--charges", metavar="A,B,C", help="charges to begin with in C (0.5, 0.85, 1.2 of the case's)")
+    p.add_argument("--seeds", type=int, default=1, metavar="N", help="runs at each of them (1)")
+    p.add_argument("--most", type=int, default=10, metavar="N", help="runs at most (10)")
+    p.add_argument("--within", type=float, default=10.0, metavar="P",
+                   help="stop when the charge is known within so many percent (10)")
+    p.add_argument("--end", metavar="T", help="simulated time in s, short for --set end=T")
+    p.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="change a value")
+    p.add_argument("--jobs", type=int, metavar="N", help="runs at once (half the cores), at most the cores")
+    p.add_argument("--store", metavar="DIR", help="where the runs are kept (results/runs)")
+    p.add_argument("--out", metavar="DIR", help="where the results go (results/calibration/CASE-DATA)")
+    p.add_argument("--true", nargs="+", default=[], metavar="KEY=VALUE", help="--make-data: charge and time_scale")
+    p.add_argument("--seed", type=int, default=1001, metavar="N", help="--make-data: packing and noise (1001)")
+    p.add_argument("--noise", type=float, default=5e-4, metavar="M", help="--make-data: noise in m (5e-4)")
+    p.add_argument("--rows", type=int, default=80, metavar="N", help="--make-data: rows (80)")
+    return p
+
+
+def changes_of(args):
+    """What --set and --end change, checked."""
+    found = {}
+    case = Case(args.name)
+    for s in args.set + ([f"end={args.end}"] if args.end is not None else []):
+        key, sign, value = (x.strip() for x in s.partition("="))
+        if not sign:
+            raise CaseError(f"--set {s}: KEY=VALUE is wanted")
+        if key in ("charge", "seed", "time_scale"):
+            raise CaseError(f"--set {s}: the calibration chooses the {key} itself")
+        case.set(key, value)
+        found[key] = value
+    for key in ("charge", "time_scale"):
+        if key not in case.values:
+            raise CaseError(f"case {args.name} has no {key}: nothing to calibrate")
+    return case, found
+
+
+def charges_of(args, case):
+    if args.charges is None:
+        return [float(f"{f * case.values['charge']:.4g}") for f in _DEFAULT]
+    try:
+        found = [float(q) for q in args.charges.split(",")]
+    except ValueError:
+        raise CaseError(f"--charges {args.charges}: numbers with commas between are wanted") from None
+    if len(set(found)) < 3 or min(found) <= 0:
+        raise CaseError(f"--charges {args.charges}: three different ones or more, above 0, are wanted")
+    return sorted(found)
+
+
+def fill(case):
+    """The suspension's height at the start [m], what a run's heights are divided by."""
+    values = {**case.values, **case.derive(1, 1)}
+    return values.get("fill_height", values.get("tube_height"))
+
+
+def make_data(args, case, changes, store):
+    for s in args.true:
+        key, sign, value = s.partition("=")
+        if key not in ("charge", "time_scale") or not sign:
+            raise CaseError(f"--true {s}: charge=VALUE and time_scale=VALUE are wanted")
+        case.set(key, value)
+    if args.noise < 0 or args.rows < caldata.LEAST_ROWS:
+        raise CaseError(f"--noise {args.noise} --rows {args.rows}: 0 or more, and at least {caldata.LEAST_ROWS}, "
+                        "are wanted")
+    true = {**changes, "charge": case.values["charge"], "seed": args.seed}
+    folder = store.run(args.name, true)
+    caldata.make(args.make_data, args.name, true, runs.curve(folder), fill(case),
+                 case.values["time_scale"], args.noise, args.seed, args.rows)
+    print(f"made-up curve in {args.make_data}")
+    return 0
+
+
+def _word(low, value, high, determined):
+    if not determined:
+        return "not determined"
+    half = 0.5 * (high - low) / value
+    return f"{'well' if half < 0.1 else 'fairly' if half < 0.3 else 'poorly'} determined, +- {100 * half:.0f} %"
+
+
+def report(name, data, changes, made, folders):
+    """All that the calibration found, in plain numbers."""
+    f, e = made.fit, made.problem.e
+    scale = f.s_interval if f.known else (None, None)
+    charge = f.q_interval if f.known else (None, None)
+    notes = []
+    if not f.known:
+        said = "not determined: too few runs for an interval"
+    elif all(f.q_edges):
+        said = "not determined: all charges tried fit as well"
+    elif f.q_edges[0]:
+        said = "only bounded from above"
+    elif f.q_edges[1]:
+        said = "only bounded from below"
+    else:
+        said = _word(charge[0], f.q, charge[1], True)
+    if len(data.slopes) < 2:
+        notes.append("the measured curve shows one stage only; the charge shows in the second")
+    if data.slopes[0] >= 0:
+        notes.append("the measured curve does not fall in its first stage")
+    need = data.days[data.used][-1] * caldata.DAY / f.s
+    if need > 1.1 * e.end:
+        notes.append(f"stages 1 and 2 of the measured curve last {need:.3g} s of the model's time, the runs "
+                     f"{e.end:.3g} s: what is beyond is extrapolated; take --end {need:.3g}")
+    if f.known and f.factor > 1.5:
+        notes.append(f"the best curve is {f.factor:.1f} times as far off as noise and spread of packings explain: "
+                     "the intervals are that much wider, but know of no other error of the model")
+    last = calloop.end_of_consolidation(made)
+    if not last["reached"]:
+        notes.append("the runs are not at rest at their end: the end of consolidation is only bounded from below")
+    return {
+        "case": name, "changes": changes, "data": os.path.abspath(data.path), "height0": data.height0,
+        "level": f.level,
+        "charge": {"value": f.q, "low": charge[0], "high": charge[1], "unit": "C", "determined": f.determined,
+                   "says": said, "tried": [e.low, e.high]},
+        "time_scale": {"value": f.s, "low": scale[0], "high": scale[1], "unit": "1", "determined": f.known,
+                       "says": _word(scale[0], f.s, scale[1], True) if f.known else "not determined: too few runs"},
+        "correlation": f.correlation if f.known else None,
+        "rms_misfit": f.rms, "rms_expected": f.expected if f.known else None, "noise_of_data": data.noise,
+        "stages_of_data": {"count": len(data.slopes), "breaks_days": data.breaks.tolist(),
+                           "slopes_per_day": data.slopes.tolist()},
+        "end_of_consolidation": {**last, "is": "1 % of the whole fall is left"},
+        "stopped": made.why, "notes": notes,
+        "runs": [{"charge": q, "seed": s, "folder": d} for q, s, d in zip(made.charges, made.seeds, folders)],
+    }
+
+
+def _between(low, high, form="{:.4g}"):
+    return "" if low is None or high is None else f"{form.format(low)} to {form.format(high)}"
+
+
+def table(r):
+    q, s, last = r["charge"], r["time_scale"], r["end_of_consolidation"]
+    end = (f"{last['days']:.4g} days" if last["days"] else
+           f"later than {last['low']:.4g} days" if last["low"] else "not determined")
+    lines = [("charge", f"{q['value']:.4g} C", _between(q["low"], q["high"]), q["says"]),
+             ("time scale", f"{s['value']:.4g}", _between(s["low"], s["high"]), s["says"]),
+             ("consolidated", end, _between(last["low"], last["high"]), last["is"])]
+    head = f"{'':<14}{'value':<22}{str(round(100 * r['level'])) + ' % interval':<28}"
+    found = [head.rstrip()] + [f"{a:<14}{b:<22}{c:<28}{d}".rstrip() for a, b, c, d in lines]
+    found.append(f"misfit {100 * r['rms_misfit']:.2g} % of the height at the start" + (
+        f", {100 * r['rms_expected']:.2g} % expected; correlation of charge and log time scale "
+        f"{r['correlation']:.2f}" if r["correlation"] is not None else ""))
+    found.append(f"{len(r['runs'])} runs: {r['stopped']}")
+    return "\n".join(found + [f"note: {n}" for n in r["notes"]])
+
+
+def write(out, r, data, made):
+    """calibration.json, .csv and .png."""
+    import calibrate_picture
+    os.makedirs(out, exist_ok=True)
+    with open(os.path.join(out, "calibration.json"), "w", encoding="utf-8") as f:
+        json.dump(r, f, indent=2)
+        f.write("\n")
+    last = max(data.days[-1], made.problem.e.end * made.fit.s / caldata.DAY)
+    more = np.linspace(0.0, last, 201)
+    days = np.concatenate([data.days, more])
+    measured = [text(h) for h in data.height] + [""] * len(more)
+    columns = [data.height0 * c for c in calloop.band(made, days)]
+    with open(os.path.join(out, "calibration.csv"), "w", encoding="utf-8", newline="") as f:
+        lines = csv.writer(f, lineterminator="\n")
+        lines.writerow(["days", "measured", "fitted", "low", "high"])
+        for i in np.argsort(days, kind="stable"):
+            lines.writerow([text(days[i]), measured[i], *("" if np.isnan(c[i]) else text(c[i]) for c in columns)])
+    calibrate_picture.draw(os.path.join(out, "calibration.png"), r, data, made)
+
+
+def main():
+    args = parser().parse_args()
+    case, changes = changes_of(args)
+    for option, value, most in (("--jobs", args.jobs, launch.cores()), ("--seeds", args.seeds, 100),
+                                ("--most", args.most, 1000)):
+        if value is not None and not 1 <= value <= most:
+            raise CaseError(f"{option} {value}: 1 to {most} is wanted")
+    store = runs.Store(args.store)
+    if not args.within >= 0:
+        raise CaseError(f"--within {args.within}: 0 or more is wanted")
+    if args.make_data:
+        return make_data(args, case, changes, store)
+    data = caldata.read(args.data, args.height0)
+    jobs = args.jobs or runs.default_jobs()
+    folders, height = [], fill(case)
+
+    def curves_of(pairs):
+        wanted = [(args.name, {**changes, "charge": text(q), "seed": s}) for q, s in pairs]
+        found = []
+        for result in store.run_many(wanted, jobs):
+            if result.error:
+                raise CaseError(result.error)
+            folders.append(result.folder)
+            c = runs.curve(result.folder)
+            found.append((c["time_s"], c["interface_m"] / height))
+        return found
+
+    charges = charges_of(args, case)
+    print(f"{data.path}: {len(data.days)} rows, {len(data.slopes)} stages; "
+          f"fitted up to day {data.days[data.used][-1]:.4g}")
+    made = calloop.search(data, curves_of, charges, args.seeds, jobs,
+                          max(args.most, len(charges) * args.seeds), 0.01 * args.within)
+    r = report(args.name, data, changes, made, folders)
+    print(table(r))
+    stem = os.path.splitext(os.path.basename(args.data))[0]
+    out = os.path.abspath(args.out or os.path.join(TOP, "results", "calibration", f"{args.name}-{stem}"))
+    write(out, r, data, made)
+    print(f"results in {out}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(guarded(main, "cases/calibrate"))

@@ -1,0 +1,128 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests of casefile and suspension: cases that are like others, words for numbers."""
+
+import json
+import math
+import os
+import tempfile
+import unittest
+from unittest import mock
+
+import casefile
+import suspension
+from casefile import Case, CaseError
+
+
+class InFolder(unittest.TestCase):
+    """Cases in a folder of the test's own."""
+
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.top = place.name
+        patch = mock.patch.object(casefile, "CASES", self.top)
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def write(self, name, **content):
+        os.makedirs(os.path.join(self.top, name))
+        with open(os.path.join(self.top, name, "case.json"), "w", encoding="utf-8") as f:
+            json.dump(content, f)
+
+    def base(self):
+        def number(value, **more):
+            return {"value": value, "is": "a number", **more}
+        self.write("base", parameters={
+            "end": number(1.0), "dem_step": number(1e-5), "coupling_steps": number(20),
+            "frames": number(10), "curve_rows": number(200), "seed": number(1),
+            "width": number(2.0, above=0), "height": number("width", **{"or": ["width"], "above": 0})})
+
+
+class LikeTest(InFolder):
+
+    def test_takes_over_and_changes(self):
+        self.base()
+        self.write("one", title="one", like="base", set={"width": 3.0})
+        self.write("two", title="two", like="one", parameters={"depth": {"value": 4, "is": "depth"}})
+        self.assertEqual(casefile.names(), ["one", "two"])
+        case = Case("two")
+        self.assertEqual((case.values["width"], case.values["depth"], case.title), (3.0, 4, "two"))
+        self.assertEqual([os.path.basename(f) for f in case.folders], ["base", "one", "two"])
+
+    def test_refusals_name_the_file_and_the_setting(self):
+        self.base()
+        for content, says in (
+                ({"like": "bse"}, "like: unknown case 'bse'; did you mean 'base'?"),
+                ({"like": "bad"}, "cannot be like itself"),
+                ({"like": "base", "set": {"widht": 1}}, "set: unknown key 'widht'; did you mean 'width'?"),
+                ({"like": "base", "set": {"width": -1}}, "width = -1: a finite number above 0"),
+                ({"like": "base", "sett": {}}, "unknown entry 'sett'; did you mean 'set'?"),
+                ({"like": "base", "parameters": {"x": {"is": "x"}}}, "x: the entry 'value' is missing"),
+                ({"parameters": {}}, "'end' is missing")):
+            with self.subTest(says):
+                os.makedirs(os.path.join(self.top, "bad"), exist_ok=True)
+                path = os.path.join(self.top, "bad", "case.json")
+                with open(path, "w", encoding="utf-8") as f:
+                    json.dump({"title": "bad", **content}, f)
+                with self.assertRaises(CaseError) as refused:
+                    Case("bad")
+                self.assertIn(says, str(refused.exception))
+                self.assertIn(path, str(refused.exception))
+
+    def test_a_word_or_a_number(self):
+        self.base()
+        self.write("one", title="one", like="base")
+        case = Case("one")
+        case.set("height", "2.5")
+        self.assertEqual(case.values["height"], 2.5)
+        case.set("height", "width")
+        self.assertEqual(case.values["height"], "width")
+        for wrong in ("depth", "-1", "nan"):
+            with self.assertRaisesRegex(CaseError, f"height = {wrong}: a .*number.*or width"):
+                case.set("height", wrong)
+
+
+class ColumnTest(unittest.TestCase):
+    """The columns there are."""
+
+    def resolved(self, name, **changes):
+        case = Case(name)
+        for key, value in changes.items():
+            case.set(key, str(value))
+        return {**case.values, **suspension.resolve(case.values)}
+
+    def test_table_of_samples(self):
+        # percent by mass, solid fraction, height [m] of the full-size tube; Table 3
+        for name, fraction, height in (("rp-04a", 0.0298, 0.2938), ("rp-05a", 0.0252, 0.2974),
+                                       ("rp-07a", 0.0655, 0.3255), ("rp-15a", 0.0278, 0.2953)):
+            v = self.resolved(name)
+            volume = math.pi * 0.01625**2 * v["tube_height"]
+            with self.subTest(name):
+                self.assertAlmostEqual(v["fill_height"], height / 2, delta=1e-4)
+                self.assertAlmostEqual(
+                    v["clumps"] * 14 * 4 / 3 * math.pi * 1e-9 / volume, v["solid_fraction"], delta=1e-12)
+                # a whole number of clumps
+                self.assertAlmostEqual(v["solid_fraction"], fraction, delta=0.5 * fraction / v["clumps"] + 1e-4)
+                self.assertTrue(9.4e-4 < v["viscosity"] < 9.9e-4)
+                self.assertAlmostEqual(v["fluid_density"], 997.85, delta=0.15)
+
+    def test_fifteen_percent(self):
+        self.assertAlmostEqual(suspension.solid_fraction(15, 2600, 1000), 0.0636, delta=1e-4)
+        self.assertEqual(self.resolved("clump-half", clumps="solid_fraction")["clumps"], 135)
+        self.assertEqual(self.resolved("sphere-half")["spheres"], 1888)
+
+    def test_overlaps_once(self):
+        v = self.resolved("clump-half", volume="union")
+        # two caps of height h = r - spacing/2 are the lens of two spheres
+        r, gap = v["sphere_radius"], v["layer_spacing"]
+        h = r - gap / 2
+        lens = 2 * math.pi * h**2 * (3 * r - h) / 3
+        self.assertAlmostEqual(suspension.particle_volume(v), 14 * 4 / 3 * math.pi * r**3 - 7 * lens, delta=1e-20)
+
+    def test_no_room(self):
+        with self.assertRaisesRegex(CaseError, "fill_height = 0.2 m: at most tube_height = 0.15 m"):
+            self.resolved("clump-half", fill_height=0.2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,207 @@
+/* ----------------------------------------------------------------------
+   This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+   The steps of fix multisphere/clump: those of fix multisphere, body by
+   body over a list of its spheres. What few runs ask for (virial, heat,
+   concave particles, added mass, insertion in a stream) stays with LIGGGHTS.
+------------------------------------------------------------------------- */
+
+#include "fix_multisphere_clump.h"
+
+#include <algorithm>
+
+#include "body_rotation.h"
+#include "domain.h"
+#include "fix_gravity.h"
+#include "modify.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+/* ---------------------------------------------------------------------- */
+
+bool FixMultisphereClump::stock_features()
+{
+  return fix_heat_ || atom->quaternion || CAdd_ != 0. || modify->n_fixes_style("insert/stream") > 0;
+}
+
+/* ----------------------------------------------------------------------
+   without ghosts there is nothing to tell anyone
+------------------------------------------------------------------------- */
+
+bool FixMultisphereClump::images() const
+{
+  return comm->nprocs > 1 || atom->nghost > 0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::half_kick(int b)
+{
+  const double dtfm = dtf/multisphere_.mass(b);
+  const double *force = fcm_(b), *torque = torque_(b);
+  const bool *moves = fflag_(b), *turns = tflag_(b);
+  double *v = vcm_(b), *L = angmom_(b);
+  for (int k = 0; k < 3; k++) {
+    if (moves[k]) v[k] += dtfm*force[k];
+    if (turns[k]) L[k] += dtf*torque[k];
+  }
+}
+
+/* ----------------------------------------------------------------------
+   a step of the rotation of bodies begin to end-1, after the half kick
+------------------------------------------------------------------------- */
+
+void FixMultisphereClump::turn(int begin, int end)
+{
+  RotationBlock block;
+  for (int i = 0; i < RotationBlock::SIZE; i++) {
+    const int b = std::min(begin + i,end - 1);
+    for (int k = 0; k < 4; k++) block.q[k][i] = quat_(b)[k];
+    for (int k = 0; k < 3; k++) {
+      block.L[k][i] = angmom_(b)[k];
+      block.inertia[k][i] = inertia_(b)[k];
+      block.axes[k][i] = ex_(b)[k];
+      block.axes[k+3][i] = ey_(b)[k];
+      block.axes[k+6][i] = ez_(b)[k];
+    }
+  }
+  block.turn(dtv);
+  for (int b = begin; b < end; b++) {
+    const int i = b - begin;
+    for (int k = 0; k < 4; k++) quat_(b)[k] = block.q[k][i];
+    for (int k = 0; k < 3; k++) {
+      omega_(b)[k] = block.w[k][i];
+      ex_(b)[k] = block.axes[k][i];
+      ey_(b)[k] = block.axes[k+3][i];
+      ez_(b)[k] = block.axes[k+6][i];
+    }
+  }
+}
+
+/* ----------------------------------------------------------------------
+   spheres of a body that has moved and turned
+------------------------------------------------------------------------- */
+
+void FixMultisphereClump::place(int b)
+{
+  spheres_.place(b,ex_(b),ey_(b),ez_(b),xcm_(b),vcm_(b),omega_(b),
+                 atom->x[0],atom->v[0],atom->omega[0]);
+  if (spheres_.shifted(b))
+    for (int n = spheres_.begin(b); n < spheres_.end(b); n++) {
+      const tagint image = atom->image[spheres_.atom(n)];
+      double *x = atom->x[spheres_.atom(n)];
+      x[0] -= ((image & IMGMASK) - IMGMAX)*domain->xprd;
+      x[1] -= ((image >> IMGBITS & IMGMASK) - IMGMAX)*domain->yprd;
+      x[2] -= ((image >> IMG2BITS) - IMGMAX)*domain->zprd;
+    }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::initial_integrate(int vflag)
+{
+  if (vflag || stock_features()) {
+    FixMultisphere::initial_integrate(vflag);
+    unturned_ = true;
+    return;
+  }
+  evflag = 0;
+  sort_spheres();
+
+  const int nbody = multisphere_.n_body();
+  for (int b = 0; b < nbody; b += RotationBlock::SIZE) {
+    const int end = std::min(b + RotationBlock::SIZE,nbody);
+    for (int i = b; i < end; i++) half_kick(i);
+    for (int i = b; i < end; i++)
+      for (int k = 0; k < 3; k++) xcm_(i)[k] += dtv*vcm_(i)[k];
+    turn(b,end);
+    for (int i = b; i < end; i++) place(i);
+  }
+
+  if (images()) {
+    rev_comm_flag_ = MS_COMM_REV_X_V_OMEGA;
+    reverse_comm();
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::final_integrate()
+{
+  if (evflag || stock_features()) {
+    FixMultisphere::final_integrate();
+    return;
+  }
+  sort_spheres();
+
+  double gravity[3] = {0.,0.,0.};
+  if (fix_gravity_) fix_gravity_->get_gravity(gravity);
+  const int nbody = multisphere_.n_body();
+  for (int b = 0; b < nbody; b++) {
+    sum_forces(b,gravity,false);
+    half_kick(b);
+    spin(angmom_(b),ex_(b),ey_(b),ez_(b),inertia_(b),omega_(b));
+    spheres_.set_velocity(b,vcm_(b),omega_(b),atom->v[0],atom->omega[0]);
+  }
+
+  if (images()) {
+    rev_comm_flag_ = MS_COMM_REV_V_OMEGA;
+    reverse_comm();
+    fw_comm_flag_ = MS_COMM_FW_V_OMEGA;
+    forward_comm();
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::calc_force(bool setupflag)
+{
+  const int nbody = multisphere_.n_body();
+  if (stock_features()) {
+    FixMultisphere::calc_force(setupflag);
+    if (coupled_)
+      for (int b = 0; b < nbody; b++) apply_drag(b,setupflag);
+    return;
+  }
+  sort_spheres();
+  double gravity[3] = {0.,0.,0.};
+  if (fix_gravity_) fix_gravity_->get_gravity(gravity);
+  for (int b = 0; b < nbody; b++) sum_forces(b,gravity,setupflag);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::sum_forces(int b, const double *gravity, bool setupflag)
+{
+  double *force = fcm_(b), *torque = torque_(b);
+  spheres_.gather(b,atom->f[0],atom->torque[0],force,torque);
+  const double m = multisphere_.mass(b);
+  for (int k = 0; k < 3; k++) force[k] += m*gravity[k];
+  if (add_dragforce_)
+    for (int k = 0; k < 3; k++) {
+      force[k] += dragforce_(b)[k];
+      torque[k] += hdtorque_(b)[k];
+    }
+  if (coupled_) apply_drag(b,setupflag);
+}
+
+/* ----------------------------------------------------------------------
+   a force of step n acts over [n-1/2, n+1/2]: velocities are now those of
+   n-1/2, and half of the force is applied now, half in the next step
+------------------------------------------------------------------------- */
+
+void FixMultisphereClump::apply_drag(int b, bool setupflag)
+{
+  Fluid &fluid = stored(b);
+  double *force = fcm_(b), *torque = torque_(b), F[3], T[3];
+  fluid.drag.wrench(ex_(b),ey_(b),ez_(b),vcm_(b),angmom_(b),inertia_(b),force,torque,F,T);
+  const double half = 0.5*update->dt;
+  for (int k = 0; k < 3; k++) {
+    force[k] += F[k];
+    torque[k] += T[k];
+    // this step's first half was done with the force of the step before
+    if (!setupflag) fluid.impulse[k] += half*(fluid.force[k] + F[k]);
+    fluid.force[k] = F[k];
+  }
+}

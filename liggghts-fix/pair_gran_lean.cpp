@@ -1,0 +1,147 @@
+/* ----------------------------------------------------------------------
+   This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+   Settings and history; the forces are in pair_gran_lean_compute.cpp.
+------------------------------------------------------------------------- */
+
+#include "pair_gran_lean.h"
+
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "fix_contact_history_lean.h"
+#include "force.h"
+#include "lammps.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+
+using namespace LAMMPS_NS;
+
+/* ---------------------------------------------------------------------- */
+
+PairGranLean::PairGranLean(LAMMPS *lmp) : PairGranProxy(lmp),
+  tangential_damping_(true), absolute_damping_(false), limit_force_(false),
+  kn_(NULL), kt_(NULL), gamman_(NULL), gammat_(NULL), friction_(NULL),
+  margin_(0.0), sought_(false), built_(-1), inum_(0), searches_(0)
+{
+}
+
+/* ----------------------------------------------------------------------
+   gran's settings, as far as they are this style's
+------------------------------------------------------------------------- */
+
+void PairGranLean::settings(int narg, char **arg)
+{
+  struct { const char *name, *value; bool given; } models[] = {
+    {"model", "hooke/stiffness", false}, {"tangential", "history", false},
+    {"rolling_friction", "off", true}, {"cohesion", "off", true}, {"surface", "default", true} };
+  struct { const char *name; bool *on; } switches[] = {
+    {"tangential_damping", &tangential_damping_}, {"absolute_damping", &absolute_damping_},
+    {"limitForce", &limit_force_} };
+  tangential_damping_ = true;
+  absolute_damping_ = limit_force_ = false;
+
+  for (int i = 0; i < narg; i += 2) {
+    const std::string word = arg[i], value = i+1 < narg ? arg[i+1] : "";
+    bool known = false;
+    for (auto &m : models)
+      if (word == m.name && value == m.value) m.given = known = true;
+    for (auto &s : switches)
+      if (word == s.name && (value == "on" || value == "off")) {
+        *s.on = value == "on";
+        known = true;
+      }
+    if (!known)
+      error->all(FLERR,("Pair style gran/lean: '" + word + " " + value + "' is not among what it can do: "
+                        "model hooke/stiffness tangential history [tangential_damping|absolute_damping|limitForce on|off]; "
+                        "for anything else take pair_style gran").c_str());
+  }
+  for (auto &m : models)
+    if (!m.given)
+      error->all(FLERR,(std::string("Pair style gran/lean: '") + m.name + " " + m.value + "' is missing").c_str());
+  PairGranProxy::settings(narg,arg);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairGranLean::init_style()
+{
+  if (!contact_match("normal","hooke/stiffness") || !contact_match("tangential","history"))
+    error->all(FLERR,"Pair style gran/lean: the restart file is of another contact model; take pair_style gran");
+  if (neighbor->contactDistanceFactor != 1.0)
+    error->all(FLERR,"Pair style gran/lean: contact_distance_factor must be 1; for another take pair_style gran");
+  for (int i = 0; i < modify->nfix; i++)
+    if (modify->fix[i]->n_history_extra())
+      error->all(FLERR,(std::string("Pair style gran/lean: fix ") + modify->fix[i]->style +
+                        " adds to the contact history; take pair_style gran").c_str());
+  hand_back_history();   // before the lists of the last run are gone
+  if (!fix_history) make_history();
+  PairGranProxy::init_style();
+}
+
+/* ----------------------------------------------------------------------
+   as PairGran makes it, but of the kind that asks this style for its part
+------------------------------------------------------------------------- */
+
+void PairGranLean::make_history()
+{
+  if (modify->find_fix_style_strict("contacthistory",0))
+    error->all(FLERR,"Can not use more than one pair style that uses contact history");
+  std::string words[] = {"contacthistory", "all", "contacthistory", std::to_string(dnum_pair())};
+  std::vector<char *> arg;
+  for (auto &w : words) arg.push_back(&w[0]);
+  arg.resize(arg.size() + 2*dnum_pair());
+  history_args(&arg[4]);
+
+  // fix contacthistory/lean, by the name that LIGGGHTS looks for
+  char suffix[] = "lean";
+  const int enabled = lmp->suffix_enable;
+  lmp->suffix_enable = 1;
+  modify->add_fix(static_cast<int>(arg.size()),&arg[0],suffix);
+  lmp->suffix_enable = enabled;
+  FixContactHistoryLean *made =
+    dynamic_cast<FixContactHistoryLean *>(modify->find_fix_style_strict("contacthistory",0));
+  if (!made) error->all(FLERR,"Pair style gran/lean: fix contacthistory/lean was not made");
+  made->serve(this);
+  fix_history = made;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairGranLean::init_granular()
+{
+  PairGranProxy::init_granular();
+  const char *who = "pair gran/lean";
+  force->registry.connect("k_n",kn_,who);
+  force->registry.connect("k_t",kt_,who);
+  force->registry.connect(absolute_damping_ ? "gamman_abs" : "gamman",gamman_,who);
+  force->registry.connect(absolute_damping_ ? "gammat_abs" : "gammat",gammat_,who);
+  force->registry.connect("coeffFrict",friction_,who);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairGranLean::hand_back_history()
+{
+  if (sought_)
+    for (int k = 0; k < pairs_.size(); k++) {
+      kept_[k][0] = pairs_.sx[k];
+      kept_[k][1] = pairs_.sy[k];
+      kept_[k][2] = pairs_.sz[k];
+      if (pairs_.touched[k] != 0.0) *flag_[k] |= 1;
+    }
+  sought_ = false;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double PairGranLean::memory_usage()
+{
+  return PairGranProxy::memory_usage() + pairs_.size()*(4.0*sizeof(int *) + 12.0*sizeof(double))
+         + seen_.size()*sizeof(double);
+}

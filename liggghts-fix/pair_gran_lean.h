@@ -1,0 +1,67 @@
+/* ----------------------------------------------------------------------
+   This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+   The contact model hooke/stiffness with tangential history of pair_style
+   gran, in a loop of its own. All else, from settings to restart, is gran's.
+------------------------------------------------------------------------- */
+
+#ifdef PAIR_CLASS
+
+PairStyle(gran/lean,PairGranLean)
+
+#else
+
+#ifndef LMP_PAIR_GRAN_LEAN_H
+#define LMP_PAIR_GRAN_LEAN_H
+
+#include <vector>
+
+#include "contact_kernel.h"
+#include "pair_gran_proxy.h"
+
+namespace LAMMPS_NS {
+
+class PairGranLean : public PairGranProxy {
+ public:
+  PairGranLean(class LAMMPS *);
+
+  void settings(int, char **);
+  void init_style();
+  void init_granular();
+  void compute_force(int eflag, int vflag, int addflag);
+  double memory_usage();
+
+  /// Puts the tangential displacements where gran and its fix contacthistory
+  /// look for them, and makes the next force begin from there.
+  void hand_back_history();
+
+  /// Pairs that are looked at each step.
+  int near_pairs() const { return pairs_.size(); }
+  /// Number of times these pairs were sought since the start.
+  bigint searches() const { return searches_; }
+
+ private:
+  void make_history();
+  bool lean_step(int eflag, int vflag, int addflag) const;
+  bool pairs_hold();
+  void seek_pairs();
+  clay::ContactLaw law(int i, int j) const;
+
+  bool tangential_damping_, absolute_damping_, limit_force_;
+  double **kn_, **kt_, **gamman_, **gammat_, **friction_;
+
+  clay::ContactPairs pairs_;
+  std::vector<double *> kept_;      // where gran keeps each pair's displacement
+  std::vector<int *> flag_;         // and that it has touched
+  std::vector<double> seen_;        // x, y, z, radius, mass of all atoms at the last search
+  double margin_;                   // gap up to which pairs were taken [m]
+  bool sought_;                     // the pairs are those of the present list
+  bigint built_;                    // time step of the list they are of
+  int inum_;                        // and its size
+  bigint searches_;
+};
+
+}
+
+#endif
+#endif

@@ -1,0 +1,98 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+#include "places_file.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+
+namespace clay {
+namespace {
+
+// a line of the file, cut into words
+class Line {
+ public:
+  Line(const std::string& text, const std::string& file, int number) : file_(file), number_(number)
+  {
+    std::istringstream in(text);
+    for (std::string w; in >> w && w[0] != '#';) words_.push_back(w);
+  }
+
+  const std::vector<std::string>& words() const { return words_; }
+
+  [[noreturn]] void fail(const std::string& why) const
+  {
+    throw std::runtime_error("file " + file_ + ", line " + std::to_string(number_) + ": " + why);
+  }
+
+  double number(std::size_t i, const char* what) const
+  {
+    const std::string& w = words_[i];
+    char* end = nullptr;
+    const double v = std::strtod(w.c_str(), &end);
+    if (*end || !std::isfinite(v)) fail(std::string(what) + " is '" + w + "': a number is needed");
+    return v;
+  }
+
+ private:
+  const std::string& file_;
+  int number_;
+  std::vector<std::string> words_;
+};
+
+int kindOf(const Line& line, const std::vector<PlaceKind>& kinds)
+{
+  const std::string& w = line.words().front();
+  std::string known;
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    if (w == kinds[k].name || w == std::to_string(k + 1)) return static_cast<int>(k);
+    known += (k ? ", " : "") + std::to_string(k + 1) + " = " + kinds[k].name;
+  }
+  line.fail("template '" + w + "' is not known; known are " + known);
+}
+
+}  // namespace
+
+std::vector<Place> readPlaces(const std::string& text, const std::string& file,
+                              const std::vector<PlaceKind>& kinds)
+{
+  std::vector<Place> places;
+  std::istringstream in(text);
+  int number = 0;
+  for (std::string row; std::getline(in, row);) {
+    const Line line(row, file, ++number);
+    const std::size_t n = line.words().size();
+    if (n == 0) continue;
+
+    Place p;
+    p.line = number;
+    p.kind = kindOf(line, kinds);
+    const bool clump = kinds[p.kind].clump;
+    if (clump ? n != 8 : n != 4 && n != 5)
+      line.fail(std::to_string(n) + " words; needed are " +
+                (clump ? "8: template x y z q0 q1 q2 q3" : "4 or 5: template x y z [radius]"));
+    for (int d = 0; d < 3; ++d) p.x[d] = line.number(1 + d, "a coordinate");
+    if (clump) {
+      double norm = 0;
+      for (int d = 0; d < 4; ++d) {
+        p.q[d] = line.number(4 + d, "a part of the quaternion");
+        norm += p.q[d] * p.q[d];
+      }
+      norm = std::sqrt(norm);
+      if (!(std::abs(norm - 1) < 1e-6)) {
+        std::ostringstream says;
+        says << "the quaternion has length " << norm << ": 1 is needed";
+        line.fail(says.str());
+      }
+      for (double& c : p.q) c /= norm;
+    } else if (n == 5) {
+      p.radius = line.number(4, "the radius");
+      if (!(p.radius > 0)) line.fail("the radius is " + line.words()[4] + ": it must be greater than 0");
+    }
+    places.push_back(p);
+  }
+  if (places.empty()) throw std::runtime_error("file " + file + ": names no particle");
+  return places;
+}
+
+}  // namespace clay

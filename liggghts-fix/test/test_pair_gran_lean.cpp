@@ -1,0 +1,220 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "contact_check.h"
+#include "host.h"
+#include "neighbor.h"
+#include "pair.h"
+#include "pair_gran_lean.h"
+#include "update.h"
+
+using test::Host;
+
+namespace {
+
+// two kinds of spheres, with different coefficients for each pair of kinds
+std::string contacts(const std::string &style, const std::string &more = "")
+{
+  return "fix m1 all property/global kn peratomtypepair 2 3000. 2500. 2500. 2000.\n"
+         "fix m2 all property/global kt peratomtypepair 2 2000. 1500. 1500. 1200.\n"
+         "fix m3 all property/global gamman peratomtypepair 2 2000. 1500. 1500. 1000.\n"
+         "fix m4 all property/global gammat peratomtypepair 2 1000. 1200. 1200. 800.\n"
+         "fix m5 all property/global coefficientFriction peratomtypepair 2 0.5 0.3 0.3 0.1\n"
+         "pair_style " + style + " model hooke/stiffness tangential history " + more + "\n";
+}
+
+const std::string walls = "fix floor all wall/gran model hooke/stiffness tangential history primitive type 1 zplane 0.\n"
+                          "fix side all wall/gran model hooke/stiffness tangential history primitive type 2 "
+                          "zcylinder 0.009 0. 0.\n";
+
+// spheres thrown together, with velocities; in contact from the start
+std::string spheres(int n, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> side(-5e-3, 5e-3), up(1e-3, 14e-3), speed(-0.3, 0.3), size(1.2e-3, 2e-3);
+  std::ostringstream s;
+  s.precision(17);
+  for (int i = 1; i <= n; i++) {
+    s << "create_atoms " << 1 + i % 2 << " single " << side(random) << ' ' << side(random) << ' ' << up(random) << " units box\n"
+      << "set atom " << i << " diameter " << size(random) << "\nset atom " << i << " density 2600\n"
+      << "group one id " << i << "\nvelocity one set " << speed(random) << ' ' << speed(random) << ' ' << speed(random)
+      << " units box\ngroup one delete\n";
+  }
+  s << "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\n";
+  return s.str();
+}
+
+std::string box(const std::string &boundary = "f f f")
+{
+  return test::opening(boundary, "-0.01 0.01 -0.01 0.01 0 0.04");
+}
+
+LAMMPS_NS::PairGranLean *lean(Host &host)
+{
+  return dynamic_cast<LAMMPS_NS::PairGranLean *>(host.lmp->force->pair_match("gran/lean", 1));
+}
+
+// of all processors
+int near_pairs(Host &host)
+{
+  int mine = lean(host)->near_pairs(), all;
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+  return all;
+}
+
+// largest difference of positions, velocities and forces, each over the largest there is
+struct Apart { double x, v, f, largest_f; };
+
+Apart apart(const std::vector<test::Atom> &a, const std::vector<test::Atom> &b)
+{
+  Apart worst = {1, 1, 1, 0};
+  if (a.size() != b.size()) return worst;
+  double d[3] = {0, 0, 0}, size[3] = {0, 0, 0};
+  const auto compare = [&](int what, const double *p, const double *q) {
+    for (int c = 0; c < 3; c++) {
+      d[what] = std::max(d[what], std::abs(p[c] - q[c]));
+      size[what] = std::max(size[what], std::abs(p[c]));
+    }
+  };
+  for (std::size_t i = 0; i < a.size(); i++) {
+    compare(0, a[i].x, b[i].x);
+    compare(1, a[i].v, b[i].v);
+    compare(2, a[i].f, b[i].f);
+  }
+  return {d[0] / size[0], d[1] / size[1], d[2] / size[2], size[2]};
+}
+
+// the same script with gran/lean for gran
+std::string lean_of(std::string script)
+{
+  for (std::size_t at = 0; (at = script.find("gran model", at)) != std::string::npos; at += 10)
+    if (script.compare(at - 5, 5, "wall/") != 0) script.replace(at, 4, "gran/lean"), at += 5;
+  const std::size_t coeff = script.find("pair_coeff * * gran\n");
+  if (coeff != std::string::npos) script.insert(coeff + 19, "/lean");
+  return script;
+}
+
+void expect_same(const std::string &script, double tolerance, const std::string &what)
+{
+  Host stock, ours;
+  stock(script);
+  ours(lean_of(script));
+  ASSERT_NE(lean(ours), nullptr);
+  const Apart d = apart(stock.atoms(), ours.atoms());
+  EXPECT_GT(d.largest_f, 0.01) << what;
+  EXPECT_LT(d.x, tolerance) << what;
+  EXPECT_LT(d.v, tolerance) << what;
+  EXPECT_LT(d.f, tolerance) << what;
+  EXPECT_GT(near_pairs(ours), 0) << what;
+}
+
+const std::string material = box() + contacts("gran") + "pair_coeff * *\n" + walls;
+
+}  // namespace
+
+// few steps from the same state: gran's forces to rounding
+TEST(PairGranLean, forcesOfGran)
+{
+  for (const std::string more : {"", "tangential_damping off", "limitForce on"})
+    expect_same(box() + contacts("gran", more) + "pair_coeff * *\n" + walls + spheres(220, 7) + "timestep 1e-6\nrun 20\n",
+                1e-12, more);
+}
+
+TEST(PairGranLean, absoluteDamping)
+{
+  expect_same(box() + "fix a1 all property/global gamman_abs peratomtypepair 2 0.01 0.02 0.02 0.03\n"
+              "fix a2 all property/global gammat_abs peratomtypepair 2 0.005 0.01 0.01 0.015\n" +
+              contacts("gran", "absolute_damping on") + "pair_coeff * *\n" + spheres(220, 8) + "timestep 1e-6\nrun 20\n",
+              1e-12, "absolute_damping");
+}
+
+// The lists are built anew and the spheres roll and slide; a thousand steps of
+// collisions multiply what rounding there is.
+TEST(PairGranLean, historyOverThousandSteps)
+{
+  const std::string script = material + spheres(120, 9) + "neighbor 0.0001 bin\ntimestep 5e-6\nrun 1000\n";
+  expect_same(script, 1e-8, "1000 steps");
+  Host ours;
+  ours(lean_of(script));
+  EXPECT_GT(ours.lmp->neighbor->ncalls, 10);
+  EXPECT_GT(lean(ours)->searches(), ours.lmp->neighbor->ncalls);
+}
+
+// steps with stresses are left to gran's own loop, on the same contacts
+TEST(PairGranLean, alternatesWithGransLoop)
+{
+  expect_same(material + spheres(120, 10) + "compute p all stress/atom pair\ncompute l all pair/gran/local id force\n"
+              "compute s all reduce sum c_p[3]\ncompute m all reduce sum c_l[3]\nfix t all ave/time 7 1 7 c_s c_m\ntimestep 5e-6\nrun 400\n", 1e-9, "stress");
+}
+
+// runs one after the other, and restarts in either style, carry the contacts on
+TEST(PairGranLean, contactsLastFromRunToRun)
+{
+  const std::string pile = "neighbor 0.0002 bin\nfix drag all viscous 2e-4\ntimestep 5e-6\n";
+  const std::string start = material + spheres(120, 11) + pile + "run 300\nrun 150\nrun 450\n";
+  expect_same(start, 1e-8, "run after run");
+
+  Host first;
+  first(lean_of(start) + "write_restart gran_lean.restart\nrun 100\n");
+  const std::string again = "atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * *\n"
+                            "read_restart gran_lean.restart\nneigh_modify delay 0\n" + contacts("gran") + "pair_coeff * *\n" +
+                            walls + "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\n" + pile + "run 100\n";
+  for (const std::string &script : {again, lean_of(again)}) {
+    Host later;
+    later(script);
+    EXPECT_LT(apart(first.atoms(), later.atoms()).v, 1e-8);
+  }
+}
+
+// clumps with charges beside: the mass that counts is the body's
+TEST(PairGranLean, clumpsWithCharges)
+{
+  std::string sides;
+  for (const std::string at : {"xplane -0.012", "xplane 0.012", "yplane -0.012", "yplane 0.012"})
+    sides += "fix w" + std::to_string(sides.size()) + " all wall/gran model hooke/stiffness tangential history primitive type 1 " + at + "\n";
+  const std::string script =
+      test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") + "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" +
+      contacts("hybrid/overlay gran", "coul/clump 0.006 every 2") +
+      "pair_coeff * * gran\npair_coeff 1 1 coul/clump 3e-10\npair_coeff 2 2 coul/clump -3e-10\n" + test::clumps(40) +
+      "fix grav all gravity 9.81 vector 0 0 -1\nfix push all addforce 0. 0. -0.001\n"
+      "fix floor all wall/gran model hooke/stiffness tangential history primitive type 1 zplane 0.\n" +
+      sides + "timestep 1e-5\nrun 3500\n";
+  Host stock, ours;
+  stock(script);
+  ours(lean_of(script));
+  const auto a = stock.atoms(), b = ours.atoms();
+  ASSERT_GT(a.size(), 500u);
+  EXPECT_GT(near_pairs(ours), 20);
+  const Apart d = apart(a, b);
+  EXPECT_LT(d.x, 1e-8);
+  EXPECT_LT(d.v, 1e-6);
+
+  // what reads the contacts elsewhere finds them with either style
+  const double limit = LAMMPS_NS::present_step_limit(stock.lmp.get());
+  EXPECT_LT(limit, 1e-2);
+  EXPECT_NEAR(LAMMPS_NS::present_step_limit(ours.lmp.get()), limit, 1e-4 * limit);
+}
+
+TEST(PairGranLean, sameOnManyProcessors)
+{
+  int rank;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0) {
+    Host first(MPI_COMM_SELF);
+    first(lean_of(material + spheres(150, 12) + "timestep 5e-6\nrun 300\nwrite_restart gran_lean_many.restart\n"));
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  const std::string again = lean_of("atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * 1\n"
+                            "read_restart gran_lean_many.restart\nneighbor 0.0002 bin\nneigh_modify delay 0\n" + contacts("gran") +
+                            "pair_coeff * *\n" + walls + "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\ntimestep 5e-6\nrun 600\n");
+  Host alone(MPI_COMM_SELF), together(MPI_COMM_WORLD);
+  alone(again);
+  together(again);
+  const Apart d = apart(alone.atoms(), together.atoms());
+  EXPECT_GT(d.largest_f, 0.01);
+  EXPECT_LT(d.x, 1e-9);
+  EXPECT_LT(d.v, 1e-8);
+}

@@ -1,0 +1,146 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+#include "contact_kernel.h"
+
+using namespace clay;
+using Eigen::Vector3d;
+
+namespace {
+
+struct Ball { Vector3d x, v, w; double r; };
+
+struct Scene {
+  std::vector<Ball> balls;
+  std::vector<double> x, v, omega, f, torque;
+  ContactPairs pairs;
+
+  void forces(double dt, bool update, bool limit, int owned)
+  {
+    contactForces({x.data(), v.data(), omega.data(), f.data(), torque.data(), owned}, pairs, dt, update, limit);
+  }
+};
+
+// every pair of balls thrown into a box: some overlap, some do not
+Scene scene(int n, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> box(0, 5e-3), unit(-1, 1), size(0.7e-3, 1e-3);
+  Scene s;
+  for (int i = 0; i < n; ++i)
+    s.balls.push_back({Vector3d(box(random), box(random), box(random)), 0.1 * Vector3d(unit(random), unit(random), unit(random)),
+                       50 * Vector3d(unit(random), unit(random), unit(random)), size(random)});
+  for (const Ball &b : s.balls) {
+    s.x.insert(s.x.end(), b.x.data(), b.x.data() + 3);
+    s.v.insert(s.v.end(), b.v.data(), b.v.data() + 3);
+    s.omega.insert(s.omega.end(), b.w.data(), b.w.data() + 3);
+  }
+  s.f.assign(3 * n, 0.0);
+  s.torque.assign(3 * n, 0.0);
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j) {
+      ContactLaw law;
+      law.kn = 3000 + 100 * unit(random);
+      law.kt = 2000 + 100 * unit(random);
+      law.gamman = 0.2;
+      law.gammat = 0.1;
+      law.friction = (i + j) % 5 ? 0.5 : 0.01;
+      const Vector3d shear = 1e-5 * Vector3d(unit(random), unit(random), unit(random));
+      s.pairs.add(i, j, s.balls[i].r, s.balls[j].r, law, shear.data(), false);
+    }
+  return s;
+}
+
+// a contact as the textbooks have it: force on i, torques, new displacement
+struct Contact { bool touch, slides; Vector3d f, ti, tj, shear; };
+
+Contact contact(const Scene &s, int k, double dt, bool update, bool limit)
+{
+  const ContactPairs &p = s.pairs;
+  const Ball &a = s.balls[p.i[k]], &b = s.balls[p.j[k]];
+  Contact c = {};
+  c.shear = Vector3d(p.sx[k], p.sy[k], p.sz[k]);
+  const double delta = a.r + b.r - (a.x - b.x).norm();
+  if (!(c.touch = delta > 0)) return c;
+  const Vector3d n = (a.x - b.x).normalized(), ra = -(a.r - delta / 2) * n, rb = (b.r - delta / 2) * n;
+  const Vector3d v = a.v + a.w.cross(ra) - b.v - b.w.cross(rb);
+  const Vector3d vt = v - v.dot(n) * n;
+  double fn = p.kn[k] * delta - p.gamman[k] * v.dot(n);
+  if (limit) fn = std::max(fn, 0.0);
+  Vector3d shear = c.shear;
+  if (update) {
+    shear += vt * dt;
+    shear -= shear.dot(n) * n;
+  }
+  Vector3d ft = -p.kt[k] * shear;
+  c.slides = ft.norm() > p.friction[k] * std::abs(fn);
+  if (c.slides) ft *= p.friction[k] * std::abs(fn) / ft.norm();
+  if (update) c.shear = -ft / p.kt[k];
+  if (!c.slides) ft -= p.gammat[k] * vt;
+  c.f = fn * n + ft;
+  c.ti = ra.cross(ft);
+  c.tj = rb.cross(-ft);
+  return c;
+}
+
+}  // namespace
+
+TEST(ContactKernel, everyContactByTheTextbook)
+{
+  const double dt = 1e-5;
+  const int owned = 70;  // of 90
+  for (bool update : {true, false})
+    for (bool limit : {true, false}) {
+      Scene s = scene(90, 3);
+      std::vector<Vector3d> f(s.balls.size(), Vector3d::Zero()), torque = f;
+      std::vector<Contact> expected;
+      double size = 0, turn = 0;
+      int touching = 0, sliding = 0;
+      for (int k = 0; k < s.pairs.size(); ++k) {
+        const Contact c = contact(s, k, dt, update, limit);
+        expected.push_back(c);
+        f[s.pairs.i[k]] += c.f;
+        torque[s.pairs.i[k]] += c.ti;
+        if (s.pairs.j[k] < owned) {
+          f[s.pairs.j[k]] -= c.f;
+          torque[s.pairs.j[k]] += c.tj;
+        }
+        size = std::max(size, c.f.norm());
+        turn = std::max(turn, c.ti.norm());
+        touching += c.touch;
+        sliding += c.slides;
+      }
+      EXPECT_GT(sliding, 40);
+      EXPECT_GT(touching, sliding + 50);
+      EXPECT_GT(s.pairs.size(), touching + 50);
+
+      s.forces(dt, update, limit, owned);
+      for (std::size_t i = 0; i < s.balls.size(); ++i)
+        for (int d = 0; d < 3; ++d) {
+          EXPECT_NEAR(s.f[3 * i + d], f[i][d], 1e-13 * size);
+          EXPECT_NEAR(s.torque[3 * i + d], torque[i][d], 1e-13 * turn);
+        }
+      for (int k = 0; k < s.pairs.size(); ++k) {
+        EXPECT_EQ(s.pairs.touched[k], expected[k].touch);
+        const double shear[3] = {s.pairs.sx[k], s.pairs.sy[k], s.pairs.sz[k]};
+        for (int d = 0; d < 3; ++d) EXPECT_NEAR(shear[d], expected[k].shear[d], 1e-13 * 1e-5);
+      }
+    }
+}
+
+// forces are added to, and what has touched before counts as touched
+TEST(ContactKernel, whatIsThereStays)
+{
+  Scene s = scene(2, 1);
+  s.x[3] = 1;
+  s.f[0] = 7;
+  s.pairs.touched[0] = 1;
+  const double before = s.pairs.sx[0];
+  s.forces(1e-5, true, false, 2);
+  EXPECT_EQ(s.f[0], 7);
+  EXPECT_EQ(s.pairs.touched[0], 1);
+  EXPECT_EQ(s.pairs.sx[0], before);
+}

@@ -21,7 +21,7 @@ MARGIN = 1e-3      # of a sphere's radius, kept between two spheres
 _WALL = 0.035      # and from floor and top
 _PRECISION = 1e-5  # what packmol may leave of (way beyond floor or top)^2 / 100
 _LOOPS = 100       # packmol's tries at all of the particles, times the kinds
-_SECONDS = 300     # after that it is stopped
+_SECONDS = 900     # after that it is stopped
 _FEWER = 0.85      # when it fails: of the particles, and again of those, until it does not
 # packmol draws Euler angles, which leaves directions uneven: an axis z of a molecule is
 # vertical too often, x and y too seldom. A plate's axis is put along their diagonal,
@@ -39,7 +39,7 @@ def place(shape, kinds, tube, seed, say, folder):
         failed = e
     share = failed.share
     fewer = _FEWER
-    while fewer > share:
+    while fewer > share and fewer * len(kinds) >= 1:
         part = kinds[:int(fewer * len(kinds))]
         try:
             _place(shape, part, tube, seed, lambda text: say(f"{len(part)} of {len(kinds)}: {text}"),
@@ -61,11 +61,13 @@ def _place(shape, kinds, tube, seed, say, folder, seconds):
     said = _run(say, folder, seconds)
     path = os.path.join(folder, "packmol.xyz")
     if not os.path.isfile(path):
+        if said:
+            raise NotPacked(0.0, said)
         raise CaseError("packing = packmol: packmol wrote no packmol.xyz; see packmol/packmol.log")
     x, q = _read(path, shape, len(kinds))
     deepest, ij = overlaps(shape, x, q)
     out = tube.beyond(shape.spheres(x, q), shape.radius).reshape(len(x), -1).max(axis=1)
-    if max(deepest, out.max()) > MARGIN * shape.radius:
+    if deepest > 2 * MARGIN * shape.radius or out.max() > MARGIN * shape.radius:
         inside = out[ij].max(axis=1) <= MARGIN * shape.radius
         kept = _without_overlaps(len(x), ij[inside]) - np.count_nonzero(out > MARGIN * shape.radius)
         raise NotPacked(kept / len(x), said or "packmol leaves overlaps")
@@ -121,6 +123,8 @@ def _run(say, folder, limit):
         said = f.read()
     if "Success!" in said:
         return ""
+    if "unable to put the molecules" in said:
+        return "packmol finds no room in the tube"
     errors = [line.strip() for line in said.splitlines() if "ERROR" in line]
     if errors:
         raise CaseError(f"packing = packmol: {errors[0]}; see packmol/packmol.log")

@@ -114,7 +114,7 @@ def _make(folder, v):
     except pack_shapes.NotPacked as e:
         raise CaseError(
             f"{what} = {len(kinds)}, solid_fraction = {solid_fraction:.4g}: packing = {v['packing']} reached "
-            f"{e.share * solid_fraction:.3g} at most ({e}); "
+            f"{e.share * solid_fraction:.4g} at most ({e}); "
             + ("take less" if v["packing"] == "expansion" else "take less, or packing = expansion")) from None
     report = {
         "method": v["packing"], "particles": what, "count": len(kinds), "seed": int(v["seed"]),

@@ -13,7 +13,7 @@ from casefile import CASES, TOP, CaseError, text
 
 # what a run leaves behind; removed when its folder is used again
 _REMAINS = ("DEM", "CFD", "alone", "dem.json", "summary.json", "settling.csv", "*.png",
-            "*.liggghts", "log.liggghts", "run.sh", "DEM.pvd",
+            "*.liggghts", "packing.*", "packmol", "log.liggghts", "run.sh", "DEM.pvd",
             "restart_forced_liggghts_*.data")  # LIGGGHTS's, when it is interrupted
 _MARK = "case.txt"
 # what OpenFOAM does not take in the name of a folder

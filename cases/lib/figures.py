@@ -11,9 +11,10 @@ from dataclasses import dataclass
 
 import runs
 from casefile import TOP, CaseError, nearest
+from sweep import guarded
 
 #: The figures there are: what each shows, and the module that draws it. A module
-#: has wanted(number, quick), which names runs as {label: (case, changes)}, and
+#: has wanted(number, options), which names runs as {label: (case, changes)}, and
 #: draw(number, made, options), which returns a figure and its caption.
 FIGURES = {
     2: ("packing of spheres and of clumps in the tube", "fig_packing"),
@@ -68,11 +69,13 @@ def parser():
                     "Runs that are missing are made first; those that are there are used again.",
         epilog="figures:\n" + "\n".join(f"  {n:<4}{says}" for n, (says, _) in FIGURES.items()))
     p.add_argument("numbers", nargs="*", metavar="N", help="only these figures (all)")
-    p.add_argument("--data", metavar="FILE", help="curves from the laboratory for figure 11, a CSV file like "
-                                                  "cases/made-up-curves.csv, which stands in for it")
+    p.add_argument("--data", action="append", metavar="[SAMPLE=]FILE",
+                   help="figure 11: a sample's curve from the laboratory, a CSV of days and heights; SAMPLE is rp-04a, "
+                        "rp-05a, rp-07a or rp-15a, if the file's name does not tell. Samples without one get made-up data")
     p.add_argument("--out", metavar="DIR", help="where the pictures go (results/figures)")
     p.add_argument("--runs", metavar="DIR", help="where the runs are kept (results/runs)")
-    p.add_argument("--jobs", type=int, metavar="N", help="runs at once (as many as there are cores for)")
+    p.add_argument("--jobs", type=int, metavar="N", help="runs at once (half the cores)")
+    p.add_argument("--long", action="store_true", help="figures 10 and 11: runs to 64 s, 703 days, not to 130 days")
     p.add_argument("--quick", action="store_true", help="make do with shorter runs; the pictures say so")
     p.add_argument("--dry-run", action="store_true", help="list the runs that are wanted, and which are there")
     return p
@@ -107,11 +110,14 @@ def main():
     options.out = os.path.abspath(options.out or os.path.join(TOP, "results", "figures"))
     if options.jobs is not None and options.jobs < 1:
         raise CaseError(f"--jobs {options.jobs}: at least one is wanted")
-    if options.data or 11 in numbers:
-        import labcurve
-        options.data = labcurve.read(options.data)  # refused before hours are spent
+    if options.long and options.quick:
+        raise CaseError("--long, --quick: one of them is wanted")
+    import labcurve
+    if options.data and 11 not in numbers:
+        raise CaseError("--data: is for figure 11, which is not among those asked for")
+    options.data = labcurve.read(options.data)  # refused before hours are spent
 
-    wanted = {n: importlib.import_module(FIGURES[n][1]).wanted(n, options.quick) for n in numbers}
+    wanted = {n: importlib.import_module(FIGURES[n][1]).wanted(n, options) for n in numbers}
     store = runs.Store(options.runs)
     flat = [run for named in wanted.values() for run in named.values()]
     if options.dry_run:
@@ -142,13 +148,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except CaseError as e:
-        print(f"cases/figures: {e}", file=sys.stderr)
-        sys.exit(2)
-    except KeyboardInterrupt:
-        sys.exit(130)
-    except OSError as e:
-        print(f"cases/figures: {e.filename}: {e.strerror}", file=sys.stderr)
-        sys.exit(2)
+    sys.exit(guarded(main, "cases/figures"))

@@ -138,7 +138,6 @@ class Measured:
         k, late = column.kynch, column.late
         shown = t <= k.t_c + column.start.lag
         rms = lambda a, b: float(np.sqrt(np.mean((a - b)[shown]**2)))
-        fall = 0.0 * t + k.interface(t)
         self.numbers = {
             "interface_speed": -shock[0],
             "interface_speed_early": -line(self.t, self.interface, inside(self.t, 0, 0.5))[0],
@@ -150,7 +149,7 @@ class Measured:
             "lag": (shock[1] - height) / -shock[0],
             "meeting_time": meet,
             "meeting_height": bed[1] + bed[0] * meet,
-            "rms_over_height": rms(top, fall) / height,
+            "rms_over_height": rms(top, k.interface(t)) / height,
             "rms_over_height_late": rms(top, k.interface(late(t))) / height,
             "mean_height_rms_late": rms(record.mean, k.mean_height(late(t), 400)) / height,
             "packed": record.packed,

@@ -29,11 +29,16 @@ _STYLE = {"font.size": 8.5, "axes.labelsize": 8.5, "axes.titlesize": 8.5, "legen
 _LINE = 3.7  # [mm] a line of the caption
 
 
-def sheet(height, rows=1, columns=1, laid_out=True, **more):
+def blank(height):
+    """An empty figure of that height [mm] without its caption."""
+    mpl.rcParams.update(_STYLE)
+    return plt.figure(figsize=(WIDTH * MM, height * MM))
+
+
+def sheet(height, rows=1, columns=1, **more):
     """A figure of that height [mm] without its caption, and its axes."""
     mpl.rcParams.update(_STYLE)
-    return plt.subplots(rows, columns, figsize=(WIDTH * MM, height * MM),
-                        constrained_layout=laid_out, **more)
+    return plt.subplots(rows, columns, figsize=(WIDTH * MM, height * MM), layout="constrained", **more)
 
 
 def days_above(ax, time_scale, label="time in the laboratory [days]"):

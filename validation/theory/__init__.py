@@ -4,6 +4,7 @@
 drag     drag laws of the solver and the slip at which drag carries weight
 flux     batch flux f(phi): Richardson-Zaki, tabulated, implied by a drag law
 kynch    exact batch sedimentation for any initial solid fraction and flux
+startup  from rest to the settling velocity
 stages   near-linear stages of a settling curve (segments: its fit and search)
 scaling  prototype and model particles, velocities, times
 water    density and viscosity of water against temperature

@@ -173,41 +173,72 @@ class Scaling:
         return "\n".join(lines + ["warning: " + w for w in self.warnings])
 
 
-def main(arguments=None):
-    """`python3 -m theory.scaling --help`. Returns 0, or 1 on bad input."""
-    paper = Scaling()
+def diameter_of_model(d_prototype, ratio):
+    """Diameter [m] of the model's particle for T_p/T_m = ratio by Eq. 16."""
+    if not ratio > 0.0:
+        raise ValueError(f"ratio = {ratio} should be positive")
+    return d_prototype * ratio**0.5
+
+
+def main(arguments=None, paper=Scaling(), prog="theory.scaling"):
+    """`python3 -m theory.scaling --help`, with `paper` for the defaults.
+    Returns 0, or 2 on bad input."""
     parser = argparse.ArgumentParser(
-        prog="theory.scaling", description="Velocities, Reynolds numbers and "
-        "times of prototype and model particles (Eqs 14 to 16).")
+        prog=prog, allow_abbrev=False, description="Velocities, Reynolds "
+        "numbers and times of prototype and model particles (Eqs 14 to 16).")
     add = parser.add_argument
-    add("--d-model", type=float, default=paper.d_model, help="[m]")
-    add("--d-prototype", type=float, default=paper.d_prototype, help="[m]")
-    add("--rho-p", type=float, default=paper.rho_p, help="[kg/m3]")
-    add("--rho-f", type=float, default=paper.rho_f, help="[kg/m3]")
-    add("--mu", type=float, default=paper.mu, help="[Pa s]")
-    add("--g", type=float, default=paper.g, help="[m/s2]")
+    model = parser.add_mutually_exclusive_group()
+    model.add_argument("--d-model", type=float, metavar="M",
+                       help=f"model's diameter [m] ({paper.d_model:g})")
+    model.add_argument("--ratio", type=float, metavar="R",
+                       help="take the model's diameter that gives T_p/T_m = R "
+                       "by Eq. 16")
+    for name, unit, what in (("d_prototype", "M", "prototype's diameter [m]"),
+                             ("rho_p", "R", "particles' density [kg/m3]"),
+                             ("rho_f", "R", "fluid's density [kg/m3]"),
+                             ("mu", "MU", "dynamic viscosity [Pa s]"),
+                             ("g", "G", "gravity [m/s2]")):
+        add("--" + name.replace("_", "-"), type=float, metavar=unit,
+            default=getattr(paper, name),
+            help=f"{what} ({getattr(paper, name):g})")
     ratio = parser.add_mutually_exclusive_group()
-    ratio.add_argument("--factor", type=float, help="T_p/T_m to use")
+    ratio.add_argument("--factor", type=float, default=paper.factor,
+                       metavar="F", help="T_p/T_m to use for times and "
+                       "velocities, in place of Eq. 16's")
     ratio.add_argument("--calibrated", action="store_const", dest="factor",
                        const=CALIBRATED, help=f"the paper's {CALIBRATED:g}")
-    add("--model-time", type=float, action="append", default=[],
-        metavar="S", help="model time [s] to turn into prototype days")
-    add("--prototype-days", type=float, action="append", default=[],
-        metavar="D", help="prototype time [d] to turn into model seconds")
+    for option, metavar, what in (
+            ("model-time", "S", "model time [s] to turn into prototype days"),
+            ("prototype-days", "D", "prototype time [d] to turn into model "
+             "seconds"),
+            ("model-speed", "V", "model velocity [m/s] to turn into the "
+             "prototype's, mm/d"),
+            ("prototype-speed", "V", "prototype velocity [mm/d] to turn into "
+             "the model's, m/s")):
+        add("--" + option, type=float, action="append", default=[],
+            metavar=metavar, help=what)
     a = parser.parse_args(arguments)
     try:
-        scaling = Scaling(a.d_model, a.d_prototype, a.rho_p, a.rho_f, a.mu,
-                          a.g, a.factor)
+        if a.ratio is not None:
+            a.d_model = diameter_of_model(a.d_prototype, a.ratio)
+        scaling = Scaling(paper.d_model if a.d_model is None else a.d_model,
+                          a.d_prototype, a.rho_p, a.rho_f, a.mu, a.g, a.factor)
     except ValueError as error:
-        print(f"theory.scaling: {error}", file=sys.stderr)
-        return 1
+        print(f"{prog}: {error}", file=sys.stderr)
+        return 2
     print(scaling.report())
-    for time in a.model_time:
-        print(f"model {time:g} s = prototype "
-              f"{scaling.to_prototype(time) / DAY:.4g} d")
-    for days in a.prototype_days:
-        print(f"prototype {days:g} d = model "
-              f"{scaling.to_model(days * DAY):.4g} s")
+    per_day = 1e3 * DAY
+    for values, words, convert in (
+            (a.model_time, "model {:g} s = prototype {:.4g} d",
+             lambda t: scaling.to_prototype(t) / DAY),
+            (a.prototype_days, "prototype {:g} d = model {:.4g} s",
+             lambda t: scaling.to_model(t * DAY)),
+            (a.model_speed, "model {:g} m/s = prototype {:.4g} mm/d",
+             lambda v: scaling.velocity_to_prototype(v) * per_day),
+            (a.prototype_speed, "prototype {:g} mm/d = model {:.4g} m/s",
+             lambda v: scaling.velocity_to_model(v / per_day))):
+        for value in values:
+            print(words.format(value, convert(value)))
     return 0
 
 

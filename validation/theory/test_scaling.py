@@ -89,10 +89,17 @@ class ScalingTest(unittest.TestCase):
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
             self.assertEqual(main(["--calibrated", "--model-time", "64",
                                    "--prototype-days", "77"]), 0)
-            self.assertEqual(main(["--mu", "-1"]), 1)
+            self.assertEqual(main(["--model-speed", "0.01",
+                                   "--prototype-speed", "0.864"]), 0)
+            self.assertEqual(main(["--ratio", "1e4"]), 0)
+            self.assertEqual(main(["--mu", "-1"]), 2)
         self.assertIn("model 64 s = prototype 703 d", out.getvalue())
         self.assertIn("prototype 77 d = model 7.01", out.getvalue())
         self.assertIn("warning: model: Re = 638", out.getvalue())
+        # by Eq. 16: 1e6
+        self.assertIn("model 0.01 m/s = prototype 0.864 mm/d", out.getvalue())
+        self.assertIn("prototype 0.864 mm/d = model 0.01 m/s", out.getvalue())
+        self.assertIn("0.0002       2e-06", out.getvalue())
         self.assertEqual(err.getvalue(),
                          "theory.scaling: mu = -1.0 should be positive\n")
 

@@ -1,0 +1,40 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""cases/scaling: Eqs 14 to 16, prototype to model and back."""
+
+import sys
+from dataclasses import replace
+
+from casefile import Case
+from suspension import resolve, theory
+from sweep import guarded
+
+PROGRAM = "cases/scaling"
+
+
+def defaults(name):
+    """The Scaling of a case's own particles, fluid and time scale."""
+    theory()
+    from theory.scaling import Scaling
+    case = Case(name)
+    v = {**case.values, **resolve(case.values)}
+    return replace(Scaling(), d_model=2 * v["sphere_radius"], rho_p=v["density"], rho_f=v["fluid_density"],
+                   mu=v["viscosity"], factor=v["time_scale"])
+
+
+def main(words=None):
+    """A CASE in the first place gives the defaults, else they are the paper's."""
+    words = list(sys.argv[1:] if words is None else words)
+    theory()
+    from theory import scaling
+    paper, program = scaling.Scaling(), PROGRAM
+    if words and not words[0].startswith("-"):
+        paper, program = defaults(words[0]), f"{PROGRAM} {words[0]}"
+        del words[0]
+    elif words[:1] in (["-h"], ["--help"]):
+        program = f"{PROGRAM} [CASE]"
+        print("A CASE takes the place of the paper's numbers: its spheres, fluid and time_scale.\n")
+    return scaling.main(words, paper, program)
+
+
+if __name__ == "__main__":
+    sys.exit(guarded(main, PROGRAM))

@@ -54,7 +54,7 @@ def draw(number, made, options):
     right.set_xlim(0, 1.6)
     right.set_ylim(0, 1.03)
     right.set_xlabel("time over (height / Kynch's interface speed)")
-    right.set_ylabel("upper interface over its height at the start")
+    right.set_ylabel("upper interface over its start")
     for ax, which, says in ((left, "a", "as simulated"), (right, "b", "both sizes at one scale")):
         plate.letter(ax, which, says)
         ax.legend(loc="upper right")

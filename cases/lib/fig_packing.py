@@ -85,12 +85,12 @@ def _two(made):
 
 def _four(made):
     """Figure 4: the two sizes at one scale, and the small one enlarged."""
-    total = 130.0
+    total = 134.0
     fig = plate.blank(total)
     tall = 120.0  # [mm] the full size column
     full, half = made["full"], made["half"]
     scale = tall / full.values["tube_height"]
-    left = 4.0
+    left = 6.0
     for k, (run, says, factor) in enumerate(((full, "full size", 1.0), (half, "half size, same scale", 1.0),
                                              (half, "half size, twice the scale", 2.0))):
         v = run.values
@@ -100,10 +100,10 @@ def _four(made):
         ax = _axes(fig, left, wide, 1.04 * v["tube_height"] * scale * factor, total)
         _tube(ax, run, colours, s, 9000 if run is full else 14000)
         ax.set_title(f"({'abc'[k]}) {says}", loc="left")
-        left += wide + (4 if k != 1 else 26)
+        left += wide + (3 if k != 1 else 34)
         if k != 1:
-            _bar(fig, left - 2, which, total, "number of the clump")
-            left += 16
+            _bar(fig, left, which, total, "number of the clump")
+            left += 24
     a, b = full.values, half.values
     return fig, (
         f"Full and half size column with their clumps at the start, coloured by the clump's number. (a) "

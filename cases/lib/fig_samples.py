@@ -32,10 +32,8 @@ def _look(sample):
     return plate.LINES[labcurve.SAMPLES.index(sample)]
 
 
-def _sample_words(run):
-    v = run.values
-    return (f"{run.summary['case'].upper()}: {v['solids']:g} % solids, {v['clumps']:.0f} clumps, "
-            f"q = {1e10 * v['charge']:.3f}e-10 C, {v['temperature']:g} C")
+def _name(run):
+    return run.summary["case"].upper()
 
 
 def _shared(runs):
@@ -60,7 +58,8 @@ def _ten(made):
         y = 100 * run.curve["interface_m"][shown] / run.values["fill_height"]
         last = max(last, days[-1])
         for ax in (whole, slow):
-            ax.plot(days, y, **_look(sample), label=_sample_words(run) if ax is whole else None)
+            ax.plot(days, y, **_look(sample), label=f"{_name(run)}: {run.values['solids']:g} %, "
+                    f"{1e10 * run.values['charge']:.3f}e-10 C")
         found = stagefit.of(days, y, samples=0)
         begin = min(1.3 * found.breaks[0], 0.6 * days[-1]) if found.count > 1 else 0.5 * days[-1]
         ends.append((begin, y[days >= begin]))
@@ -72,13 +71,13 @@ def _ten(made):
     whole.set_ylabel("upper interface over its height at the start [%]")
     slow.set_ylim(lowest - margin, highest + margin)
     whole.set_xlim(0, last)
-    slow.set_xlim(0.75 * begin, last)
+    slow.set_xlim(begin, last)
     for ax, which, says in ((whole, "a", "the whole curves"), (slow, "b", "after the first stage, enlarged")):
         plate.letter(ax, which, says)
         ax.set_xlabel("time in the laboratory [days]")
-    whole.legend(loc="upper right", handlelength=2.6)
+    whole.legend(loc="upper right", handlelength=2.8, title="solids by mass, charge of a sphere", alignment="left")
     words = "; ".join(
-        f"{sample.upper()} " + ", ".join(f"{-s:.3g}" for s in found.slopes) + " %/d"
+        f"{sample.upper()} ({made[sample].values['clumps']:.0f} clumps, {made[sample].values['temperature']:g} C) " + ", ".join(f"{-s:.3g}" for s in found.slopes) + " %/d"
         + (f", first stage to day {found.breaks[0]:.2g}" if found.count > 1 else "") for sample, found in slopes)
     return fig, (f"Settling curves of the four samples, computed: {_shared([made[s] for s in labcurve.SAMPLES])}. "
                  f"Falling speed of the stages found: {words}.")
@@ -111,7 +110,8 @@ def _eleven(made, data):
         ax.set_ylabel("upper interface over its\nheight at the start [%]")
     for ax in axes[1]:
         ax.set_xlabel("time in the laboratory [days]")
-    caption = (f"The four samples' runs against curves from the laboratory, with the charges of Table 5 and the time scale "
+    against = "made-up data" if len(data) == 0 else "curves from the laboratory" + (", where there are," if invented else "")
+    caption = (f"The four samples' runs against {against} with the charges of Table 5 and the time scale "
                f"that brings each run nearest to its data ({'; '.join(said)}; the paper's is 9.49e5): {_shared(runs)}. ")
     if invented:
         caption += (f"Triangles: MADE-UP data, not measured. This project made them by a run of the same sample with another "

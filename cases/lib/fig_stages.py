@@ -27,8 +27,11 @@ def _marked(ax, curve, found, times, heights):
 
 
 def _words(k, found):
+    """A stage's slope; its name where there are the paper's three."""
     low, high = sorted(-1e3 * x for x in found.slopes_ci[k])
-    return f"slope {k + 1}: {-1e3 * found.slopes[k]:.3g} mm/s ({low:.3g} to {high:.3g})"
+    name = f"{_NAMES[k]}, " if found.count == len(_NAMES) else ""
+    rest = ", at rest as far as can be told" if low <= 0 <= high else ""
+    return f"{name}slope {k + 1}: {-1e3 * found.slopes[k]:.3g} mm/s ({low:.3g} to {high:.3g}{rest})"
 
 
 def draw(number, made, options):
@@ -53,7 +56,8 @@ def draw(number, made, options):
     plate.days_above(whole, run.values["time_scale"])
     plate.days_above(early, run.values["time_scale"], "[days]")
     whole.legend(loc="upper right", title="(a) the whole run", alignment="left")
-    early.text(0.97, 0.96, "(b) its beginning", transform=early.transAxes, ha="right", va="top")
+    early.text(0.97, 0.96, "(b) its beginning", transform=early.transAxes, ha="right", va="top",
+               bbox={"fc": "white", "ec": "none", "alpha": 0.9, "pad": 2}, zorder=5)
     for k in range(found.count):
         low, high = edges[k], edges[k + 1]
         ax = early if high <= early.get_xlim()[1] else whole
@@ -61,13 +65,13 @@ def draw(number, made, options):
         y = 1e3 * np.interp(middle, edges, heights)
         ax.annotate(f"{k + 1}", (middle, y), xytext=(7, 9), textcoords="offset points", fontsize=9, fontweight="bold",
                     bbox={"boxstyle": "circle,pad=0.2", "fc": "white", "ec": "black", "lw": 0.6})
-    named = [f"{_NAMES[k]}, {_words(k, found)}" for k in range(found.count)]
+    named = [_words(k, found) for k in range(found.count)]
     stages = {1: "one stage", 2: "two stages", 3: "three stages"}[found.count]
     breaks = " and ".join(f"{b:.3g} s = {b * run.days:.3g} d" for b in found.breaks)
     few = "" if found.count >= 3 else " Fewer than the three of the paper's figure."
     slow = f" A slow start until {found.start:.2g} s is left out." if found.start > t[0] else ""
+    ends = {1: "", 2: f" The first ends at {breaks}.", 3: f" They end at {breaks}."}[found.count]
     return fig, (
         f"Settling curve of charged clumps to {t[-1]:.3g} s = {t[-1] * run.days:.3g} days, with {stages} found by "
         f"cases/stages' method (near-linear, each at most half as fast as the one before): "
-        f"{'; '.join(f'({k + 1}) {n}' for k, n in enumerate(named))}; 95 % intervals."
-        + (f" They end at {breaks}." if breaks else "") + few + slow + f" {run.words()}.")
+        f"{'; '.join(f'({k + 1}) {n}' for k, n in enumerate(named))}; 95 % intervals.{ends}{few}{slow} {run.words()}.")

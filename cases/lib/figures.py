@@ -98,7 +98,7 @@ def draw(number, made, options):
     import plate
     module = importlib.import_module(FIGURES[number][1])
     fig, caption = module.draw(number, made, options)
-    if options.quick:
+    if options.quick and number > 4:
         caption += " A quick figure, --quick: the runs are shorter than those the figure is meant to have."
     path = plate.save(fig, options.out, f"figure-{number:02d}", f"Figure {number}. {caption}")
     print(f"figure {number}: {os.path.relpath(path)} and .pdf, .txt", flush=True)

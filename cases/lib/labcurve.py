@@ -58,12 +58,12 @@ def made_up(run, last):
 
 def time_scale(run, curve):
     """(time scale, rms misfit): the scale by which the run's curve comes nearest
-    to the data, over the data's days that the run reaches."""
+    to the data, over the data's days that the run reaches, half of them at least."""
     t, y = run.curve["time_s"], run.curve["interface_m"] / run.values["fill_height"]
 
     def misfit(scale):
         reached = curve.days * caldata.DAY / scale <= t[-1]
-        if np.count_nonzero(reached) < caldata.LEAST_ROWS:
+        if np.count_nonzero(reached) < max(caldata.LEAST_ROWS, 0.5 * reached.size):
             return np.inf
         return float(np.sqrt(np.mean((np.interp(curve.days[reached] * caldata.DAY / scale, t, y)
                                       - curve.y[reached])**2)))

@@ -2,7 +2,6 @@
 """A figure for print: 170 mm wide, its caption below, as PNG, PDF and text."""
 
 import os
-import textwrap
 
 import pictures  # sets matplotlib up
 from pictures import plt
@@ -26,7 +25,7 @@ _STYLE = {"font.size": 8.5, "axes.labelsize": 8.5, "axes.titlesize": 8.5, "legen
           "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "axes.grid": True,
           "grid.alpha": 0.35, "grid.linewidth": 0.4, "pdf.fonttype": 42, "legend.framealpha": 0.9,
           "mathtext.default": "regular"}
-_LINE = 3.7  # [mm] a line of the caption
+_LINE, _SPACING = 3.4, 1.25  # [mm] a line of the caption, and what makes it so
 
 
 def blank(height):
@@ -54,25 +53,34 @@ def letter(ax, which, says=""):
     ax.set_title(f"({which}) {says}".rstrip(), loc="left")
 
 
+def _wrapped(fig, words):
+    """The caption's lines, none wider than the page."""
+    renderer, font = fig.canvas.get_renderer(), mpl.font_manager.FontProperties(size=SMALLEST)
+    room = (WIDTH - 5.0) * MM * fig.dpi
+    lines = [""]
+    for word in words.split():
+        longer = f"{lines[-1]} {word}".lstrip()
+        if renderer.get_text_width_height_descent(longer, font, ismath=False)[0] > room:
+            lines.append(word)
+        else:
+            lines[-1] = longer
+    return lines
+
+
 def _with_caption(fig, words):
     """Makes room below for the caption, keeps all else where it is."""
     fig.canvas.draw()
     fig.set_layout_engine("none")
     width, height = fig.get_size_inches()
-    fitting = int((WIDTH - 4.0) * MM * 72 / (0.535 * SMALLEST))  # letters in a line
-    lines = textwrap.wrap(words, fitting)
-    room = (len(lines) * _LINE + 3.0) * MM
+    lines = _wrapped(fig, words)
+    room = (len(lines) * _LINE + 4.0) * MM
     places = [(ax, ax.get_position(original=True)) for ax in fig.axes]
     fig.set_size_inches(width, height + room)
     part = height / (height + room)
     for ax, at in places:
-        if ax.get_axes_locator() is None:
-            ax.set_position([at.x0, 1 - part + part * at.y0, at.width, part * at.height])
-    for text in fig.texts:
-        x, y = text.get_position()
-        text.set_position((x, 1 - part + part * y))
-    fig.text(2.0 / WIDTH, 1.5 * MM / (height + room), "\n".join(lines), fontsize=SMALLEST,
-             va="bottom", ha="left", linespacing=_LINE * MM * 72 / SMALLEST / 1.2)
+        ax.set_position([at.x0, 1 - part + part * at.y0, at.width, part * at.height])
+    fig.text(2.5 / WIDTH, 1.5 * MM / (height + room), "\n".join(lines), fontsize=SMALLEST, parse_math=False,
+             va="bottom", ha="left", linespacing=_SPACING)
 
 
 def save(fig, folder, name, caption):

@@ -214,12 +214,9 @@ void FixCoupleFoam::apply(bool setupflag)
   if (listed_ != atom->nlocal) list_free();
   for (int i : free_) {
     double *s = fluid_[i];
-    const double a = s[DRAG]*dt/atom->rmass[i];
-    const double phi = relaxation_factor(a);
     for (int k = 0; k < 3; k++) {
       const double load = s[LOAD+k];
-      const double drag = phi*s[DRAG]*(s[VELOCITY+k] - v[i][k]) + (phi - 1.)*(f[i][k] + load);
-      const double force = load + drag;
+      const double force = load + sphere_drag(s[DRAG],s[VELOCITY+k],v[i][k],f[i][k] + load,atom->rmass[i],dt);
       if (!setupflag) s[IMPULSE+k] += 0.5*dt*(s[FORCE+k] + force);
       s[FORCE+k] = force;
       f[i][k] += force;

@@ -20,6 +20,7 @@
 #include "fix_template_sphere.h"
 #include "modify.h"
 #include "particleToInsert_multisphere.h"
+#include "update.h"
 
 using namespace LAMMPS_NS;
 
@@ -161,6 +162,12 @@ void FixInsertPlaced::place(const std::vector<clay::Place> &places)
   for (const auto &k : kinds_)
     if (k.clump && modify->n_fixes_style("multisphere") != 1)
       fail("a clump needs one fix multisphere or multisphere/clump before it");
+
+  // the contacts of an earlier run are known by the numbers of the ghosts, whose
+  // places the new particles will take
+  if (update->first_update)
+    if (Fix *history = modify->find_fix_style("contacthistory", 0)) history->setup_pre_exchange();
+  atom->nghost = 0;
 
   set_arrays_of_new_fixes();
   int tag = atom->tag_max() + 1;

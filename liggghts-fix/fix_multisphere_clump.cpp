@@ -94,7 +94,7 @@ void FixMultisphereClump::spheres(std::vector<Sphere> &list)
 {
   list.clear();
   sort_spheres();
-  if (atom->nghost) fix_volumeweight_ms_->do_forward_comm();
+  if (images()) fix_volumeweight_ms_->do_forward_comm();
   const double *weight = fix_volumeweight_ms_->vector_atom;
 
   for (int b = 0; b < multisphere_.n_body(); b++) {

@@ -25,7 +25,7 @@ using namespace LAMMPS_NS;
 /* ---------------------------------------------------------------------- */
 
 PairGranLean::PairGranLean(LAMMPS *lmp) : PairGranProxy(lmp),
-  tangential_damping_(true), absolute_damping_(false), limit_force_(false),
+  tangential_damping_(true), absolute_damping_(false), limit_force_(false), flags_read_(false),
   kn_(NULL), kt_(NULL), gamman_(NULL), gammat_(NULL), friction_(NULL),
   margin_(0.0), sought_(false), built_(-1), inum_(0), searches_(0)
 {
@@ -79,6 +79,9 @@ void PairGranLean::init_style()
     if (modify->fix[i]->n_history_extra())
       error->all(FLERR,(std::string("Pair style gran/lean: fix ") + modify->fix[i]->style +
                         " adds to the contact history; take pair_style gran").c_str());
+  flags_read_ = modify->n_fixes_style("heat/gran") > 0 ||
+                modify->n_fixes_style("insert/stream/predefined") > 0 ||
+                modify->n_computes_style("contact/atom") > 0;
   hand_back_history();   // before the lists of the last run are gone
   if (!fix_history) make_history();
   PairGranProxy::init_style();

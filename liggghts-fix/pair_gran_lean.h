@@ -48,6 +48,7 @@ class PairGranLean : public PairGranProxy {
   clay::ContactLaw law(int i, int j) const;
 
   bool tangential_damping_, absolute_damping_, limit_force_;
+  bool flags_read_;                 // somebody reads from the lists which pairs touch
   double **kn_, **kt_, **gamman_, **gammat_, **friction_;
 
   clay::ContactPairs pairs_;

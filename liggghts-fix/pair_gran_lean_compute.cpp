@@ -36,7 +36,7 @@ bool PairGranLean::lean_step(int eflag, int vflag, int addflag) const
 {
   return !eflag && !vflag && !addflag && listgranhistory && atom->rmass && computeflag() && !fr_pair() &&
          !storeContactForces() && !store_contact_forces_stress_ && !store_multicontact_data_ &&
-         !store_sum_normal_force() && modify->n_fixes_style("insert/stream/predefined") == 0;
+         !store_sum_normal_force() && !flags_read_;
 }
 
 /* ---------------------------------------------------------------------- */

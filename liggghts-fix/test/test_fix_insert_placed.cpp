@@ -141,6 +141,37 @@ TEST(FixInsertPlaced, aSecondListGoesOnWithTheNumbers)
   }
 }
 
+// two spheres in sheared contact on both sides of the middle, which may be a
+// border of processors: what a later list adds far away is nothing to them
+TEST(FixInsertPlaced, contactsOutliveALaterList)
+{
+  int rank;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  double spin[2];
+  for (bool more : {false, true}) {
+    Host host;
+    host(test::opening("f f f", "-0.0165 0.0165 -0.0165 0.0165 -0.001 0.151") + test::material("coul/clump 0.006") +
+         "pair_coeff * * coul/clump 0.0\n"
+         "create_atoms 1 single 0 0 0.07401 units box\ncreate_atoms 1 single 0 0 0.07599 units box\n"
+         "set group all diameter 2e-3 density 2600\ngroup upper id 2\nvelocity upper set 0.01 0 0 units box\n"
+         "fix nve all nve/sphere\ntimestep 1e-6\nrun 20\n");
+    if (more) {
+      if (rank == 0) std::ofstream(file) << "s 0.01 0.01 0.01\ns 0.01 -0.01 0.01\ns -0.01 -0.01 0.01\ns -0.01 0.01 0.14\n";
+      MPI_Barrier(MPI_COMM_WORLD);
+      host("fix s all particletemplate/sphere 15485863 atom_type 1 density constant 2600 radius constant 1e-3\n"
+           "fix put all insert/placed file placed.txt templates s\n");
+    }
+    host("run 100\n");
+    const LAMMPS_NS::Atom *atom = host.lmp->atom;
+    double mine = 0;
+    for (int i = 0; i < atom->nlocal; i++)
+      if (atom->tag[i] <= 2) mine += std::abs(atom->omega[i][1]);
+    MPI_Allreduce(&mine, &spin[more], 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  }
+  EXPECT_GT(spin[0], 0);
+  EXPECT_NEAR(spin[1], spin[0], 1e-9 * spin[0]);
+}
+
 TEST(FixInsertPlaced, spheresAlsoWithRadiiOfTheirOwn)
 {
   spheres("grain 0.001 0.002 0.003\n1 0.01 0.09 0.01 2e-3\n1 0.05 0.05 0.05\n");
@@ -181,7 +212,7 @@ TEST(FixInsertPlaced, aRestartedRunHasItsParticlesAlready)
   EXPECT_NEAR(host.fix("put")->compute_vector(1), 2 * 2500 * 4.0 / 3 * M_PI * 1e-9, 1e-15);
 }
 
-TEST(FixInsertPlaced, aThousandClumpsTakeLessThanTwoSeconds)
+TEST(FixInsertPlaced, aThousandClumpsTakeMoments)
 {
   // a lattice four times over: that they overlap is no matter here
   clumps(320);
@@ -192,5 +223,5 @@ TEST(FixInsertPlaced, aThousandClumpsTakeLessThanTwoSeconds)
     host("fix " + std::string(id) + " all insert/placed file placed.txt templates ill kao\n");
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   EXPECT_EQ(host.lmp->atom->natoms, 4 * 320 * 14);
-  EXPECT_LT(took.count(), 2.0);
+  EXPECT_LT(took.count(), 20.0);  // hundredths by themselves; one at a time it was a minute
 }

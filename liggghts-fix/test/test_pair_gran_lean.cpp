@@ -5,7 +5,9 @@
 #include <random>
 
 #include "contact_check.h"
+#include "fix_property_atom.h"
 #include "host.h"
+#include "modify.h"
 #include "neighbor.h"
 #include "pair.h"
 #include "pair_gran_lean.h"
@@ -170,6 +172,32 @@ TEST(PairGranLean, contactsLastFromRunToRun)
 }
 
 // clumps with charges beside: the mass that counts is the body's
+// fix heat/gran reads from the lists which pairs touch
+TEST(PairGranLean, heatGoesThroughItsContacts)
+{
+  double warm[2];
+  for (const char *style : {"gran", "gran/lean"}) {
+    Host host;
+    host(box() + contacts(style) +
+         "pair_coeff * *\n"
+         "fix p1 all property/global thermalConductivity peratomtype 100. 100.\n"
+         "fix p2 all property/global thermalCapacity peratomtype 1. 1.\n"
+         "create_atoms 1 single 0 0 0.0100 units box\ncreate_atoms 1 single 0.0000 0 0.0124 units box\n"
+         "set group all diameter 2e-3 density 2600\nfix nve all nve/sphere\n"
+         "group top id 2\nvelocity top set 0 0 -0.5 units box\n"
+         "fix heat all heat/gran/conduction initial_temperature 300.\ntimestep 1e-6\nrun 0\n"
+         "set group top property/atom Temp 500.\nrun 3000\n");
+    const LAMMPS_NS::FixPropertyAtom *temp = static_cast<LAMMPS_NS::FixPropertyAtom *>(
+      host.lmp->modify->find_fix_property("Temp", "property/atom", "scalar", 0, 0, "test"));
+    double mine = 0;
+    for (int i = 0; i < host.lmp->atom->nlocal; i++)
+      if (host.lmp->atom->tag[i] == 2) mine = temp->vector_atom[i];
+    MPI_Allreduce(&mine, &warm[style[4] == '/'], 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  }
+  EXPECT_LT(warm[0], 499.9);
+  EXPECT_NEAR(warm[1], warm[0], 1e-8 * warm[0]);
+}
+
 TEST(PairGranLean, clumpsWithCharges)
 {
   std::string sides;

@@ -28,3 +28,9 @@ def run(checks):
         checks.at_most(f"{name}: max_momentum_residual", s["max_momentum_residual"], 1e-10)
         checks.at_most(f"{name}: volume error", s["max_void_fraction_volume_error"], 1e-12)
         checks.equal(f"{name}: particles_lost", s["particles_lost"], 0)
+
+    # one clump at the border of two ranks: only one of them has ghosts
+    outcome, folder = coupled.case("clump-half", "parallel/one-clump", "--set", "clumps=1", "--dem", "2",
+                                   *options, limit=200)
+    if checks.equal("one clump on 2+1: exit code", outcome.status, 0):
+        checks.equal("one clump on 2+1: particles", coupled.summary(folder)["particles"], 14)

@@ -7,11 +7,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+import curvefile
 import runs
 import stagefit
 from casefile import CaseError, text
 
 DAY = 86400.0
+_MADE_UP = "# made up, not measured:"
 LEAST_ROWS = 12  # what the search for stages wants
 
 
@@ -51,25 +53,14 @@ class Data:
 
 def read(path, height0=None):
     """A CSV of days and heights; # starts a comment, one line of names may lead."""
-    rows, names = [], True
-    try:
-        with open(path, encoding="utf-8-sig") as f:
-            lines = f.read().splitlines()
-    except UnicodeDecodeError:
-        raise CaseError(f"--data {path}: is no text") from None
-    for number, line in enumerate(lines, 1):
-        line = line.partition("#")[0].strip()
-        if not line:
-            continue
-        where, cells = f"--data {path}, line {number}", [c.strip() for c in line.split(",")]
+    rows = []
+    for number, cells in curvefile.rows(path, f"--data {path}")[1]:
+        where, line = f"--data {path}, line {number}", ",".join(cells)
         if len(cells) != 2:
             raise CaseError(f"{where}: '{line}': days and height, with a comma between, are wanted")
         try:
             row = [float(c) for c in cells]
         except ValueError:
-            if names and not rows and not any(c[:1].isdigit() for c in cells):
-                names = False
-                continue
             raise CaseError(f"{where}: '{line}': two numbers, days and height, are wanted") from None
         if not all(math.isfinite(x) for x in row):
             raise CaseError(f"{where}: '{line}': finite numbers are wanted")
@@ -85,7 +76,11 @@ def read(path, height0=None):
     if height0 is not None and not height0 > 0:
         raise CaseError(f"--height0 {height0}: above 0 is wanted")
     days, height = np.array(rows).T
-    return of(path, days, height, height0 or float(height[0]))
+    data = of(path, days, height, height0 or float(height[0]))
+    if data.slopes[0] >= 0:
+        raise CaseError(f"--data {path}: the curve does not fall in its first stage, up to day "
+                        f"{text(data.days[data.stage == 1][-1])}; one that settles is wanted")
+    return data
 
 
 def of(path, days, height, height0):
@@ -95,15 +90,25 @@ def of(path, days, height, height0):
     return Data(path, days, height, height0, stage, found.breaks, found.slopes)
 
 
+def check_new(path):
+    """Refuses to write over a file that `make` has not written."""
+    if os.path.isdir(path):
+        raise CaseError(f"--make-data {path}: is a folder; name a file")
+    if os.path.exists(path):
+        with open(path, encoding="utf-8", errors="replace") as f:
+            if not f.readline().startswith(_MADE_UP):
+                raise CaseError(f"--make-data {path}: is there and was not made by this program; name a new file")
+
+
 def make(path, name, changes, curve, height0, time_scale, noise, seed, rows):
     """Writes a made-up measurement: a run's curve, its time stretched by
-    time_scale, with independent normal noise [m]."""
+    time_scale, with independent normal noise [m]. Its name: see check_new."""
     t = np.linspace(0.0, curve["time_s"][-1], rows)
     z = np.interp(t, curve["time_s"], curve["interface_m"])
     z += noise * np.random.default_rng(seed).standard_normal(rows)
     os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
     with open(path, "w", encoding="utf-8") as f:
-        f.write(f"# made up, not measured: the case {name} with {runs.words(changes)}\n"
+        f.write(f"{_MADE_UP} the case {name} with {runs.words(changes)}\n"
                 f"# time_scale={text(time_scale)}, noise of {text(noise)} m; take --height0 {text(height0)}\n"
                 "days,height_m\n")
         f.writelines(f"{d:.8g},{h:.8g}\n" for d, h in zip(t * time_scale / DAY, np.maximum(z, 1e-6)))

@@ -13,9 +13,11 @@ import caldata
 import calloop
 import launch
 import runs
-from casefile import TOP, Case, CaseError, text
+import settings
+from casefile import Case, CaseError, text
 from sweep import guarded
 
+_ONE_STAGE = "the measured curve shows one stage only; the charge shows in the second"
 _DEFAULT = (0.5, 0.85, 1.2)  # of the case's charge: charges to begin with
 
 
@@ -49,16 +51,12 @@ def parser():
 
 def changes_of(args):
     """What --set and --end change, checked."""
-    found = {}
     case = Case(args.name)
-    for s in args.set + ([f"end={args.end}"] if args.end is not None else []):
-        key, sign, value = (x.strip() for x in s.partition("="))
-        if not sign:
-            raise CaseError(f"--set {s}: KEY=VALUE is wanted")
-        if key in ("charge", "seed", "time_scale"):
-            raise CaseError(f"--set {s}: the calibration chooses the {key} itself")
-        case.set(key, value)
-        found[key] = value
+    found = settings.read(args.set + ([f"end={args.end}"] if args.end is not None else []))
+    for key in ("charge", "seed", "time_scale"):
+        if key in found:
+            raise CaseError(f"--set {key}={found[key]}: the calibration chooses the {key} itself")
+    found = settings.apply(case, found, print)
     for key in ("charge", "time_scale"):
         if key not in case.values:
             raise CaseError(f"case {args.name} has no {key}: nothing to calibrate")
@@ -84,14 +82,14 @@ def fill(case):
 
 
 def make_data(args, case, changes, store):
-    for s in args.true:
-        key, sign, value = s.partition("=")
-        if key not in ("charge", "time_scale") or not sign:
-            raise CaseError(f"--true {s}: charge=VALUE and time_scale=VALUE are wanted")
+    for key, value in settings.read(args.true, "--true").items():
+        if key not in ("charge", "time_scale"):
+            raise CaseError(f"--true {key}={value}: charge=VALUE and time_scale=VALUE are wanted")
         case.set(key, value)
-    if args.noise < 0 or args.rows < caldata.LEAST_ROWS:
+    if not 0 <= args.noise < np.inf or args.rows < caldata.LEAST_ROWS:
         raise CaseError(f"--noise {args.noise} --rows {args.rows}: 0 or more, and at least {caldata.LEAST_ROWS}, "
                         "are wanted")
+    caldata.check_new(args.make_data)
     true = {**changes, "charge": case.values["charge"], "seed": args.seed}
     folder = store.run(args.name, true)
     caldata.make(args.make_data, args.name, true, runs.curve(folder), fill(case),
@@ -100,9 +98,7 @@ def make_data(args, case, changes, store):
     return 0
 
 
-def _word(low, value, high, determined):
-    if not determined:
-        return "not determined"
+def _word(low, value, high):
     half = 0.5 * (high - low) / value
     return f"{'well' if half < 0.1 else 'fairly' if half < 0.3 else 'poorly'} determined, +- {100 * half:.0f} %"
 
@@ -122,11 +118,9 @@ def report(name, data, changes, made, folders):
     elif f.q_edges[1]:
         said = "only bounded from below"
     else:
-        said = _word(charge[0], f.q, charge[1], True)
+        said = _word(charge[0], f.q, charge[1])
     if len(data.slopes) < 2:
-        notes.append("the measured curve shows one stage only; the charge shows in the second")
-    if data.slopes[0] >= 0:
-        notes.append("the measured curve does not fall in its first stage")
+        notes.append(_ONE_STAGE)
     need = data.days[data.used][-1] * caldata.DAY / f.s
     if need > 1.1 * e.end:
         notes.append(f"stages 1 and 2 of the measured curve last {need:.3g} s of the model's time, the runs "
@@ -134,7 +128,16 @@ def report(name, data, changes, made, folders):
     if f.known and f.factor > 1.5:
         notes.append(f"the best curve is {f.factor:.1f} times as far off as noise and spread of packings explain: "
                      "the intervals are that much wider, but know of no other error of the model")
+    scale_known = calloop.scale_determined(made)
+    if not f.known:
+        scale_says = "not determined: too few runs"
+    elif not scale_known:
+        scale_says = "not determined: goes with the charge, which only those tried bound"
+    else:
+        scale_says = _word(scale[0], f.s, scale[1])
     last = calloop.end_of_consolidation(made)
+    if f.known and not f.determined:
+        notes.append("the end of consolidation is that of the charges tried, which do not bound the charge")
     if not last["reached"]:
         notes.append("the runs are not at rest at their end: the end of consolidation is only bounded from below")
     return {
@@ -142,8 +145,8 @@ def report(name, data, changes, made, folders):
         "level": f.level,
         "charge": {"value": f.q, "low": charge[0], "high": charge[1], "unit": "C", "determined": f.determined,
                    "says": said, "tried": [e.low, e.high]},
-        "time_scale": {"value": f.s, "low": scale[0], "high": scale[1], "unit": "1", "determined": f.known,
-                       "says": _word(scale[0], f.s, scale[1], True) if f.known else "not determined: too few runs"},
+        "time_scale": {"value": f.s, "low": scale[0], "high": scale[1], "unit": "1", "determined": scale_known,
+                       "says": scale_says},
         "correlation": f.correlation if f.known else None,
         "rms_misfit": f.rms, "rms_expected": f.expected if f.known else None, "noise_of_data": data.noise,
         "stages_of_data": {"count": len(data.slopes), "breaks_days": data.breaks.tolist(),
@@ -177,7 +180,6 @@ def table(r):
 def write(out, r, data, made):
     """calibration.json, .csv and .png."""
     import calibrate_picture
-    os.makedirs(out, exist_ok=True)
     with open(os.path.join(out, "calibration.json"), "w", encoding="utf-8") as f:
         json.dump(r, f, indent=2)
         f.write("\n")
@@ -222,14 +224,16 @@ def main():
         return found
 
     charges = charges_of(args, case)
+    stem = os.path.splitext(os.path.basename(args.data))[0]
+    out = settings.folder(args.out, "calibration", f"{args.name}-{stem}")
     print(f"{data.path}: {len(data.days)} rows, {len(data.slopes)} stages; "
           f"fitted up to day {data.days[data.used][-1]:.4g}")
+    if len(data.slopes) < 2:
+        print(f"note: {_ONE_STAGE}")
     made = calloop.search(data, curves_of, charges, args.seeds, jobs,
                           max(args.most, len(charges) * args.seeds), 0.01 * args.within)
     r = report(args.name, data, changes, made, folders)
     print(table(r))
-    stem = os.path.splitext(os.path.basename(args.data))[0]
-    out = os.path.abspath(args.out or os.path.join(TOP, "results", "calibration", f"{args.name}-{stem}"))
     write(out, r, data, made)
     print(f"results in {out}")
     return 0

@@ -96,6 +96,24 @@ def _beyond(f, e, extended):
     return [w and n < _EXTENSIONS for w, n in zip(wanted, extended)]
 
 
+def scale_determined(made):
+    """Whether the interval of s is the data's, not that of the charges tried:
+    where these end the charge's interval, s is followed to the charge that
+    would be tried next, and must not move by a quarter of its interval."""
+    f, e = made.fit, made.problem.e
+    if not f.known:
+        return False
+    low, high = np.log(f.s_interval)
+    for edge, k in ((e.low, 0), (e.high, 1)):
+        if f.q_edges[k]:
+            inner = edge + (0.2, -0.2)[k] * (e.high - e.low)
+            at, before = (made.problem.best_scale(q, np.log(f.s)) for q in (edge, inner))
+            moved = (at - before) / (edge - inner) * (_EXTEND[k] - 1) * edge
+            if abs(moved) > 0.25 * (high - low):
+                return False
+    return True
+
+
 def falling(y):
     """The falling curve nearest to y, by least squares (pooled neighbours)."""
     values, counts = [], []

@@ -19,7 +19,7 @@ _NEEDED = {
     "curve_rows": {"min": 1, "whole": True},
     "seed": {"min": 1, "whole": True},
 }
-_ENTRIES = ("value", "unit", "is", "choices", "or", "min", "max", "above", "below", "whole")
+_ENTRIES = ("value", "unit", "is", "choices", "or", "min", "max", "above", "below", "whole", "followed")
 _PARTS = ("title", "like", "set", "parameters")
 _MOST_STEPS = 2**31 - 1  # LIGGGHTS counts the steps of a run in 32 bits
 

@@ -10,6 +10,7 @@ import time
 from dataclasses import dataclass
 
 import runs
+import settings
 from casefile import TOP, CaseError, nearest
 from sweep import guarded
 
@@ -126,6 +127,7 @@ def main():
                 there = store.finished(case, changes)
                 print(f"figure {number:<4}{case:<13}{'there' if there else 'to make':<9}{runs.words(changes)}")
         return 0
+    settings.folder(options.out)  # refused before the runs
     began = time.monotonic()
     results = dict(zip(range(len(flat)), store.run_many(flat, options.jobs)))
     spent = time.monotonic() - began

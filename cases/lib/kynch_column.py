@@ -47,6 +47,12 @@ class Column:
         if not values["density"] > values["fluid_density"]:
             raise CaseError(f"density = {values['density']} kg/m3: above fluid_density = {values['fluid_density']} "
                             "kg/m3 is wanted for spheres to settle")
+        try:
+            self._solve(values, nu, phi_m, count)
+        except ValueError as e:  # what theory asks of its arguments
+            raise CaseError(str(e)) from None
+
+    def _solve(self, values, nu, phi_m, count):
         self.law = DragLawFlux(values["drag"], self.d, values["density"], values["fluid_density"], nu, phi_m=phi_m)
         self.v_t = float(self.law.velocity(0.0))
         self.re_t = self.v_t * self.d / nu
@@ -79,9 +85,12 @@ class Column:
 
 
 def enough(values):
-    """A simulated time [s] after which the column rests, in steps of 0.05 s."""
+    """A simulated time [s] after which the column rests, in steps of 0.05 s, and
+    of the coupling interval."""
     column = Column(values, max(POURED, 0.5 * (1 + values["solid_fraction"])
                                 if values["solid_fraction"] >= 0.9 * POURED else POURED), 1000)
     k = column.kynch
     last = k.t_end if math.isfinite(k.t_end) else 2 * k.t_c
-    return 0.05 * math.ceil(20 * (1.3 * (last + column.start.lag)))
+    wanted = 0.05 * math.ceil(20 * (1.3 * (last + column.start.lag)))
+    interval = values["dem_step"] * values["coupling_steps"]
+    return float(f"{interval * math.ceil(wanted / interval - 1e-6):.12g}")

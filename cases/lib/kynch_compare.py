@@ -10,7 +10,8 @@ import sys
 
 import launch
 import runs
-from casefile import TOP, Case, CaseError, text
+import settings
+from casefile import Case, CaseError, text
 from sweep import guarded
 
 #: What is compared: key of kynch_measure.Measured.numbers, words, factor and
@@ -67,26 +68,15 @@ def values_of(case):
     return {**case.values, **case.derive(1, 1)}
 
 
-def changed(name, settings, phi_0):
+def changed(name, words, phi_0):
     """The case with its settings and, if given, the initial solid fraction."""
-    case = Case(name)
-    keys = []
-    for s in settings:
-        key, sign, value = s.partition("=")
-        if not sign:
-            raise CaseError(f"--set {s}: KEY=VALUE is wanted")
-        case.set(key.strip(), value.strip())
-        keys.append((key.strip(), value.strip()))
+    case, given = Case(name), settings.read(words)
     if phi_0 is not None:
         for key in ("solid_fraction", "spheres"):
-            if key in dict(keys):
+            if key in given:
                 raise CaseError(f"--phi0: {key} is set, too; take one of them")
-        case.set("solid_fraction", phi_0)
-        keys += [("solid_fraction", phi_0)]
-        if case.values.get("spheres", "solid_fraction") != "solid_fraction":
-            case.set("spheres", "solid_fraction")
-            keys += [("spheres", "solid_fraction")]
-    return case, dict(keys)
+        given["solid_fraction"] = phi_0
+    return case, settings.apply(case, given, print)
 
 
 def fractions(words):
@@ -202,13 +192,13 @@ def write(out, name, comparisons):
         f.write("\n")
 
 
-def solve(args, out):
-    """The theory alone."""
+def solve(args):
+    """The theory alone; the folder of its pictures."""
     import kynch_column
     import kynch_picture
-    settings = args.set + ([f"tube_height={args.height:.12g}"] if args.height is not None else [])
+    words = args.set + ([f"tube_height={args.height:.12g}"] if args.height is not None else [])
     for number, phi_0 in enumerate(fractions(args.phi0)):
-        case, _ = changed(args.name, settings, phi_0)
+        case, _ = changed(args.name, words, phi_0)
         if args.height is not None and "fill_height" in case.values:
             case.set("fill_height", "tube_height")
         v = values_of(case)
@@ -222,10 +212,12 @@ def solve(args, out):
         print(column.waves())
         print(f"  start from rest: lag {column.start.lag:.4f} s; Richardson-Zaki: n = {column.rz.exponent:.3g}, "
               f"interface {1e3 * column.kynch_rz.interface_speed:.4g} mm/s, meeting at {column.kynch_rz.t_c:.4g} s")
+        out = settings.folder(args.out, "kynch", args.name)
         suffix = f"-{phi_0}" if phi_0 else ""
         kynch_picture.curves(os.path.join(out, f"theory{suffix}.png"), column, [], case.title)
         if number == 0:
             kynch_picture.flux(os.path.join(out, "flux.png"), column, [])
+    return out
 
 
 def make(args):
@@ -243,6 +235,7 @@ def make(args):
         changes.setdefault("end", kynch_column.enough(values))
         changes.setdefault("frames", 80)
         wanted.append([(args.name, {**changes, "seed": k + 1}) for k in range(args.seeds)])
+    settings.folder(args.out, "kynch", args.name)  # refuses before the runs
     flat = iter(runs.Store(args.store).run_many([w for group in wanted for w in group], args.jobs))
     groups, failed = [], []
     for group in wanted:
@@ -266,16 +259,23 @@ def main():
         raise CaseError("--solve: the theory alone; without --runs")
     if args.runs and (args.set or args.phi0):
         raise CaseError("--runs: finished runs have their values; without --set and --phi0")
-    out = os.path.abspath(args.out or os.path.join(TOP, "results", "kynch", args.name))
-    os.makedirs(out, exist_ok=True)
     if args.solve:
-        solve(args, out)
-        print(f"pictures in {out}")
+        print(f"pictures in {solve(args)}")
         return 0
     groups, failed = ([args.runs], False) if args.runs else make(args)
-    comparisons = [Comparison(g, args.phi_m) for g in groups]
+    comparisons = []
+    for g in groups:
+        try:
+            comparisons.append(Comparison(g, args.phi_m))
+        except CaseError as e:
+            if args.runs:
+                raise
+            # the other groups may be good
+            print(f"cases/kynch: {e}", file=sys.stderr)
+            failed = True
     if not comparisons:
         return 1
+    out = settings.folder(args.out, "kynch", args.name)
     import kynch_picture
     for k, c in enumerate(comparisons):
         print(("\n" if k else "") + c.table())

@@ -27,6 +27,10 @@ from casefile import CaseError
 #: Part of the interface's way at which the window ends.
 LAST = 0.8
 
+# of a run's settings; without the particles', of which kynch_column.refuse tells
+_NEEDED = ("seed", "end", "drag", "solid_fraction", "fill_height", "tube_radius", "tube_height", "density",
+           "fluid_density", "viscosity", "dem_step")
+
 
 class Record:
     """A finished run: values, settling.csv as t, top, bed_m, mean [s, m]."""
@@ -37,11 +41,17 @@ class Record:
             with open(os.path.join(folder, "summary.json"), encoding="utf-8") as f:
                 summary = json.load(f)
             self.case, self.values = summary["case"], summary["settings"]
+            missing = [k for k in _NEEDED if k not in self.values]
         except OSError:
             raise CaseError(f"{folder}: holds no summary.json; a finished run of cases/run is wanted") from None
-        except (ValueError, KeyError) as e:
-            raise CaseError(f"{folder}/summary.json: {e}") from None
+        except (ValueError, KeyError, TypeError):
+            raise CaseError(f"{folder}/summary.json: is none of cases/run") from None
+        if missing:
+            raise CaseError(f"{folder}/summary.json: has no setting {missing[0]}; "
+                            "a run of a column of spheres is wanted")
         rows = runs.curve(folder)
+        if "mean_height_m" not in rows:
+            raise CaseError(f"{folder}/settling.csv: has no column mean_height_m")
         self.t, self.top, self.mean = rows["time_s"], rows["interface_m"], rows["mean_height_m"]
         self.seed = self.values["seed"]
 
@@ -127,8 +137,11 @@ class Measured:
         inside = lambda t, a=0.0, b=1.0: ((t >= begin + a * (self.window[1] - begin))
                                           & (t <= begin + b * (self.window[1] - begin)))
         if np.count_nonzero(inside(self.t)) < 8:
+            remedy = "take more of them, --set frames=N"
+            if not np.any(record.top < stop):
+                remedy = "the run ends too early, take a longer one, --set end=T"
             raise CaseError(f"{record.folder}: fewer than 8 dumps between {begin:.3g} and {self.window[1]:.3g} s, "
-                            "the window of the fit: take more frames")
+                            f"the window of the fit: {remedy}")
         t, top = record.t, record.top
         shock = line(self.t, self.interface, inside(self.t))
         bed = line(self.t, self.bed, inside(self.t))

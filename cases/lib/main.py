@@ -3,11 +3,13 @@
 
 import argparse
 import os
+import signal
 import sys
 
 import casefile
 import launch
 import prepare
+import settings
 from casefile import CaseError
 
 
@@ -33,6 +35,8 @@ def parser():
 
 def main():
     args = parser().parse_args()
+    # the programs it starts end with it
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     if args.list:
         for name in casefile.names():
             print(f"{name:<16}{casefile.Case(name).title}")
@@ -41,11 +45,7 @@ def main():
         raise CaseError("which case? cases/run --list names them")
     case = casefile.Case(args.name)
     changes = args.set + ([f"end={args.end}"] if args.end is not None else [])
-    for change in changes:
-        key, sign, value = change.partition("=")
-        if not sign:
-            raise CaseError(f"--set {change}: KEY=VALUE is wanted")
-        case.set(key.strip(), value.strip())
+    settings.apply(case, settings.read(changes), print)
     if args.keys:
         print(case.table())
         return 0
@@ -78,5 +78,5 @@ if __name__ == "__main__":
     except BrokenPipeError:
         os._exit(1)
     except OSError as e:
-        print(f"cases/run: {e.filename}: {e.strerror}", file=sys.stderr)
+        print(f"cases/run: {e.filename}: {e.strerror}" if e.filename else f"cases/run: {e}", file=sys.stderr)
         sys.exit(2)

@@ -27,8 +27,8 @@ def run(program, case, *options):
         raise CaseError(f"OpenFOAM's {program} is not on the PATH")
     log = os.path.join(case, "log." + program)
     with open(log, "w", encoding="utf-8") as f:
-        status = subprocess.call([program, "-case", case, *options], stdout=f,
-                                 stderr=subprocess.STDOUT, env={**os.environ, **environment()})
+        status = subprocess.run([program, "-case", case, *options], stdout=f, check=False,
+                                stderr=subprocess.STDOUT, env={**os.environ, **environment()}).returncode
     if status:
         raise CaseError(f"{program} failed: {error_line(log)} (log in {log})")
 

@@ -2,15 +2,18 @@
 """cases/pack: makes the packing of a case and nothing else, to look at."""
 
 import argparse
+import contextlib
 import json
 import os
+import signal
 import sys
 
 import numpy as np
 
 import casefile
 import packing
-from casefile import TOP, CaseError
+import settings
+from casefile import CaseError
 
 
 def parser():
@@ -27,14 +30,19 @@ def parser():
     return p
 
 
-def _folder(out):
-    """The folder, empty but for an older packing."""
-    if os.path.exists(out) and not os.path.isdir(out):
-        raise CaseError(f"--out {out}: is a file; name a folder")
-    if os.path.isdir(out) and os.listdir(out) and not os.path.isfile(os.path.join(out, "packing.json")):
+def _clear(out):
+    """Refuses a folder that holds more than an older packing, or what a failed
+    one left; its pictures go."""
+    if not os.path.isdir(out):
+        return
+    there = os.listdir(out)
+    if "case.txt" in there:
+        raise CaseError(f"--out {out}: is the folder of a run; name a new folder")
+    if "packing.json" not in there and not all(n == "packmol" or n.startswith("packing.") for n in there):
         raise CaseError(f"--out {out}: holds other things than a packing; name a new folder")
-    os.makedirs(out, exist_ok=True)
-    return out
+    for name in ("packing.png", "packing.vtp"):
+        with contextlib.suppress(FileNotFoundError):
+            os.remove(os.path.join(out, name))
 
 
 def points(folder, v):
@@ -83,16 +91,16 @@ def draw(folder, v, report):
 
 def main():
     args = parser().parse_args()
+    # packmol ends with it
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     case = casefile.Case(args.name)
-    for change in args.set:
-        key, sign, value = change.partition("=")
-        if not sign:
-            raise CaseError(f"--set {change}: KEY=VALUE is wanted")
-        case.set(key.strip(), value.strip())
+    settings.apply(case, settings.read(args.set), print)
     if "packing" not in case.values:
         raise CaseError(f"case {args.name} has no packing")
     v = {**case.values, **case.derive(1, 1)}
-    folder = _folder(os.path.abspath(args.out or os.path.join(TOP, "results", args.name + "-packing")))
+    out = args.name + "-packing"
+    _clear(settings.path(args.out, out))
+    folder = settings.folder(args.out, out)
     report = packing.write(folder, v)
     print(json.dumps(report, indent=2))
     if not args.no_pictures:
@@ -112,5 +120,5 @@ if __name__ == "__main__":
     except BrokenPipeError:
         os._exit(1)
     except OSError as e:
-        print(f"cases/pack: {e.filename}: {e.strerror}", file=sys.stderr)
+        print(f"cases/pack: {e.filename}: {e.strerror}" if e.filename else f"cases/pack: {e}", file=sys.stderr)
         sys.exit(2)

@@ -12,7 +12,7 @@ import packing
 from casefile import CASES, TOP, CaseError, text
 
 # what a run leaves behind; removed when its folder is used again
-_REMAINS = ("DEM", "CFD", "alone", "dem.json", "summary.json", "settling.csv", "*.png",
+_REMAINS = ("DEM", "CFD", "alone", "dem.json", "summary.json", "settling.csv", "stages.json", "*.png",
             "*.liggghts", "packing.*", "packmol", "log.liggghts", "run.sh", "DEM.pvd",
             "restart_forced_liggghts_*.data")  # LIGGGHTS's, when it is interrupted
 _MARK = "case.txt"

@@ -6,6 +6,7 @@ decides its result. Runs are made by cases/lib/main.py, each a process of its
 own, several at once; killed ones are made anew, failed ones reported.
 """
 
+import contextlib
 import ctypes
 import fcntl
 import json
@@ -17,10 +18,12 @@ import subprocess
 import sys
 import threading
 import time
+import warnings
 from dataclasses import dataclass
 
 import launch
 import runkey
+import settings
 from casefile import TOP, Case, CaseError, text
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -65,7 +68,16 @@ def default_jobs(ranks=2):
 def curve(folder):
     """The columns of a run's settling.csv as arrays by name."""
     import numpy as np
-    rows = np.genfromtxt(os.path.join(folder, "settling.csv"), delimiter=",", names=True)
+    path = os.path.join(folder, "settling.csv")
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of an empty file
+            rows = np.genfromtxt(path, delimiter=",", names=True)
+        good = rows.size and {"time_s", "interface_m"} <= set(rows.dtype.names or ())
+    except (ValueError, IndexError):  # rows of other lengths; an empty file
+        good = False
+    if not good:
+        raise CaseError(f"{path}: is no settling curve of a run")
     return {k: np.atleast_1d(rows[k]) for k in rows.dtype.names}
 
 
@@ -100,8 +112,7 @@ class Store:
 
     def _job(self, name, changes):
         case = Case(name)
-        for key, value in {"frames": self.frames, **changes}.items():
-            case.set(key, value if isinstance(value, str) else text(value))
+        settings.apply(case, {"frames": self.frames, **changes})
         derived = case.derive(*self.ranks)
         key = runkey.key(case, derived)
         return _Job(name, changes, key, os.path.join(self.folder, f"{name}-{key}"), float(derived["steps"]))
@@ -228,7 +239,7 @@ class Store:
             error = _error(log, job.process.returncode)
         elif not all(os.path.isfile(os.path.join(job.folder, f)) for f in ("summary.json", "settling.csv")):
             error = "ended without summary.json and settling.csv"
-        elif self._job(job.name, job.changes).key != job.key:
+        elif not self._same(job):
             error = "its input files or the programs were changed while it ran"
         os.makedirs(job.folder, exist_ok=True)
         shutil.move(log, os.path.join(job.folder, "log"))
@@ -244,19 +255,24 @@ class Store:
         os.close(job.lock)
         return Result(job.folder, error, False, seconds)
 
+    def _same(self, job):
+        """Whether the run's key is still that of its input files and programs."""
+        try:
+            return self._job(job.name, job.changes).key == job.key
+        except (CaseError, OSError):  # one of them is gone
+            return False
+
     @staticmethod
     def _stop(job):
         """Ends a run and all it started."""
-        for sign, patience in ((signal.SIGTERM, 15), (signal.SIGKILL, 5)):
-            try:
-                if sign == signal.SIGTERM:
-                    job.process.terminate()  # it ends its halves itself
-                else:
-                    os.killpg(job.process.pid, sign)
-                job.process.wait(patience)
-                break
-            except (subprocess.TimeoutExpired, ProcessLookupError):
-                continue
+        job.process.terminate()  # it ends its halves itself
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            job.process.wait(15)
+        # what is left of it; a run is a session of its own
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(job.process.pid, signal.SIGKILL)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            job.process.wait(5)
         os.close(job.lock)
 
 

@@ -4,7 +4,7 @@
 import sys
 from dataclasses import replace
 
-from casefile import Case
+from casefile import Case, CaseError
 from suspension import resolve, theory
 from sweep import guarded
 
@@ -17,8 +17,11 @@ def defaults(name):
     from theory.scaling import Scaling
     case = Case(name)
     v = {**case.values, **resolve(case.values)}
-    return replace(Scaling(), d_model=2 * v["sphere_radius"], rho_p=v["density"], rho_f=v["fluid_density"],
-                   mu=v["viscosity"], factor=v["time_scale"])
+    try:
+        return replace(Scaling(), d_model=2 * v["sphere_radius"], rho_p=v["density"], rho_f=v["fluid_density"],
+                       mu=v["viscosity"], factor=v["time_scale"])
+    except ValueError as e:  # what theory asks of its arguments
+        raise CaseError(f"case {name}: {e}") from None
 
 
 def main(words=None):
@@ -30,6 +33,9 @@ def main(words=None):
     if words and not words[0].startswith("-"):
         paper, program = defaults(words[0]), f"{PROGRAM} {words[0]}"
         del words[0]
+        # the case's ratio of times is that of its own diameters
+        if any(w.partition("=")[0] in ("--ratio", "--d-model", "--d-prototype") for w in words):
+            paper = replace(paper, factor=None)
     elif words[:1] in (["-h"], ["--help"]):
         program = f"{PROGRAM} [CASE]"
         print("A CASE takes the place of the paper's numbers: its spheres, fluid and time_scale.\n")

@@ -2,13 +2,14 @@
 """cases/stages: the near-linear stages of a run's or a measured settling curve."""
 
 import argparse
-import csv
 import json
 import os
 import sys
 
 import numpy as np
 
+import curvefile
+import settings
 import stagefit
 from casefile import CaseError, nearest
 from suspension import theory
@@ -40,17 +41,11 @@ def parser():
 def read(path, wanted=None):
     """(names, times, heights) of the two columns of a CSV; # starts a comment,
     the first other line may name the columns."""
-    try:
-        with open(path, encoding="utf-8-sig", newline="") as f:
-            rows = [(n, [c.strip() for c in row]) for n, row in
-                    enumerate(csv.reader(line.partition("#")[0] for line in f), 1) if any(c.strip() for c in row)]
-    except (UnicodeDecodeError, csv.Error):
-        raise CaseError(f"{path}: is no CSV") from None
+    names, rows = curvefile.rows(path)
     if not rows:
-        raise CaseError(f"{path}: holds no rows")
-    names = [str(k + 1) for k in range(len(rows[0][1]))]
-    if not all(_number(c) is not None for c in rows[0][1]):
-        names = rows.pop(0)[1]
+        raise CaseError(f"{path}: holds names of columns, but no rows")
+    if names is None:
+        names = [str(k + 1) for k in range(len(rows[0][1]))]
     if wanted:
         chosen = [w.strip() for w in wanted.split(",")]
         if len(chosen) != 2:
@@ -95,7 +90,10 @@ def find(t, z, args):
     """(StageFit of all segments, stages numbered alike for all curves)."""
     theory()
     from theory.stages import detect
-    fit = detect(t, z, most=args.most, level=0.01 * args.level, samples=args.samples)
+    try:
+        fit = detect(t, z, most=args.most, level=0.01 * args.level, samples=args.samples)
+    except ValueError as e:  # what theory asks of its arguments
+        raise CaseError(str(e)) from None
     return fit, stagefit.of(t, z, samples=0)
 
 
@@ -184,9 +182,9 @@ def main():
         try:
             with open(os.path.join(folder, "summary.json"), encoding="utf-8") as f:
                 summary = json.load(f)
-            scale, title = summary["settings"].get("time_scale"), summary["case"]
-        except (OSError, ValueError, KeyError):
-            title = os.path.basename(os.path.abspath(folder))
+            scale, title = float(summary["settings"]["time_scale"]), str(summary["case"])
+        except (OSError, ValueError, KeyError, TypeError):  # the curve is all that is needed
+            scale, title = None, os.path.basename(os.path.abspath(folder))
     elif not os.path.isfile(path):
         raise CaseError(f"{path}: is not there; a run folder or a CSV is wanted")
     names, t, z = read(path, args.data)
@@ -194,9 +192,8 @@ def main():
     t, z = t[keep], z[keep]
     if t.size < _LEAST_ROWS:
         raise CaseError(f"{path}: {t.size} rows, at least {_LEAST_ROWS} are wanted")
+    out = settings.folder(args.out or os.path.dirname(os.path.abspath(path)))
     fit, stages = find(t, z, args)
-    out = os.path.abspath(args.out or os.path.dirname(os.path.abspath(path)))
-    os.makedirs(out, exist_ok=True)
     print(table(fit, stages, names, scale))
     with open(os.path.join(out, "stages.json"), "w", encoding="utf-8") as f:
         json.dump(as_json(path, fit, stages, names), f, indent=2)

@@ -37,7 +37,7 @@ def particle_volume(v):
 
 def resolve(values):
     """The values that are given by a word, as numbers: words of casefile's
-    entry "or". Empty where nothing is."""
+    entry "or"; the mass of a particle [kg]. Empty where nothing is."""
     found = {}
 
     def now(key):
@@ -63,4 +63,5 @@ def resolve(values):
             if found[counted] < 1:
                 raise CaseError(f"solid_fraction = {now('solid_fraction'):.3g}: leaves no room for one particle")
         found["solid_fraction"] = now(counted) * one / space
+        found["body_mass"] = values["density"] * one
     return found

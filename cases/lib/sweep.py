@@ -5,13 +5,15 @@ import argparse
 import csv
 import itertools
 import json
+import math
 import os
 import sys
 
 import launch
 import runs
+import settings
 import stagefit
-from casefile import TOP, Case, CaseError, text
+from casefile import Case, CaseError, text
 
 _MOST_RUNS = 10000
 
@@ -33,38 +35,24 @@ def parser():
     return p
 
 
-def grid(settings):
+def grid(words):
     """The lists of values by key, from KEY=A,B,C; a key given again starts anew."""
     found = {}
-    for s in settings:
-        key, sign, values = s.partition("=")
+    for s in words:
+        key, values = settings.split(s, form="KEY=A,B,C")
         values = [v.strip() for v in values.split(",")]
-        if not sign or not all(values):
+        if not all(values):
             raise CaseError(f"--set {s}: KEY=A,B,C is wanted")
         if len(set(values)) < len(values):
             raise CaseError(f"--set {s}: a value is there twice")
-        found[key.strip()] = values
+        found[key] = values
     return found
 
 
-def chosen(case, keys):
-    """Settings that let each key decide: where another key can follow this one
-    by its name but holds a number, it is made to follow. So solids set the
-    solid fraction, and that the number of clumps."""
-    found, look = {}, list(keys)
-    while look:
-        key = look.pop()
-        for other, entry in case.parameters.items():
-            if key in entry.get("or", ()) and other not in keys and other not in found:
-                if case.values[other] != key:
-                    found[other] = key
-                look.append(other)
-    return found
-
-
-def points(name, settings, seeds=None):
-    """The grid's points as lists of changes, and the keys that vary, in order."""
-    case, values = Case(name), grid(settings)
+def points(name, words, seeds=None):
+    """The grid's points as lists of changes, the keys that vary, in order, and
+    what follows."""
+    values = grid(words)
     for key, several in values.items():
         for v in several:
             Case(name).set(key, v)
@@ -75,10 +63,15 @@ def points(name, settings, seeds=None):
             raise CaseError(f"--seeds {seeds}: at least 1 is wanted")
         values["seed"] = [str(s) for s in range(1, seeds + 1)]
     varied = [k for k, v in values.items() if len(v) > 1 and k != "seed"]
-    extra = chosen(case, list(values))
-    made = [{**extra, **dict(zip(values, combination))} for combination in itertools.product(*values.values())]
-    if len(made) > _MOST_RUNS:
-        raise CaseError(f"--set: {len(made)} runs, at most {_MOST_RUNS} are wanted")
+    count = math.prod(len(v) for v in values.values())
+    if count > _MOST_RUNS:
+        raise CaseError(f"--set: {count} runs, at most {_MOST_RUNS} are wanted")
+    case, made, extra = Case(name), [], {}
+    for combination in itertools.product(*values.values()):
+        one = dict(zip(values, combination))
+        more = settings.follow(case, one)
+        made.append({**more, **one})
+        extra.update(more)
     return made, varied or [k for k, v in values.items() if len(v) > 1][:1], extra
 
 
@@ -140,24 +133,22 @@ def write_csv(path, rows, keys):
 
 def main():
     args = parser().parse_args()
-    settings = args.set + ([f"end={args.end}"] if args.end is not None else [])
+    words = args.set + ([f"end={args.end}"] if args.end is not None else [])
     if args.jobs is not None and not 1 <= args.jobs <= launch.cores():
         raise CaseError(f"--jobs {args.jobs}: 1 to {launch.cores()}, the number of cores, is wanted")
-    made, varied, extra = points(args.name, settings, args.seeds)
+    made, varied, extra = points(args.name, words, args.seeds)
     if extra:
-        print(f"so that the keys decide: {runs.words(extra)}")
+        print(settings.said(extra))
     store = runs.Store(args.store)
     if args.dry_run:
         for changes in made:
             print(f"{'there ' if store.finished(args.name, changes) else 'to run'}  {runs.words(changes)}")
         return 0
+    out = settings.folder(args.out, "sweeps", "-".join([args.name, *varied]))
     results = store.run_many([(args.name, c) for c in made], args.jobs)
     rows = [point(c, r) for c, r in zip(made, results)]
 
     shown = varied + (["seed"] if any("seed" in c for c in made) and "seed" not in varied else [])
-    out = os.path.abspath(args.out or os.path.join(
-        TOP, "results", "sweeps", "-".join([args.name, *varied])))
-    os.makedirs(out, exist_ok=True)
     keys = list(made[0])
     write_csv(os.path.join(out, "sweep.csv"), rows, keys)
     case = Case(args.name)
@@ -181,7 +172,7 @@ def guarded(work, program):
     """A program's exit code; bad input is said in one line."""
     try:
         return work()
-    except (CaseError, ValueError) as e:
+    except CaseError as e:
         print(f"{program}: {e}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
@@ -190,7 +181,7 @@ def guarded(work, program):
     except BrokenPipeError:
         os._exit(1)
     except OSError as e:
-        print(f"{program}: {e.filename}: {e.strerror}", file=sys.stderr)
+        print(f"{program}: {e.filename}: {e.strerror}" if e.filename else f"{program}: {e}", file=sys.stderr)
         return 2
 
 

@@ -81,6 +81,10 @@ class DataTest(unittest.TestCase):
                 self.read("\n".join([*good[:3], row, *good[3:]]))
         with self.assertRaisesRegex(CaseError, "11 rows, at least 12"):
             self.read("\n".join(good[:11]))
+        with self.assertRaisesRegex(CaseError, "does not fall in its first stage"):
+            self.read("\n".join(f"{d},{0.1 + 0.01 * d}" for d in range(15)))
+        with self.assertRaisesRegex(CaseError, "line 1: '0,x': two numbers"):
+            self.read("\n".join(["0,x", *good]))
         with self.assertRaisesRegex(CaseError, "--height0 0"):
             self.read("\n".join(good), height0=0.0)
 
@@ -152,6 +156,28 @@ class SearchTest(unittest.TestCase):
         self.assertTrue(f.q_edges[0] and f.q_edges[1])
         self.assertTrue(f.s_interval[0] <= 8e5 <= f.s_interval[1])
         self.assertLess(f.s_interval[1] / f.s_interval[0], 1.3)
+
+    def test_a_scale_that_only_the_charges_tried_bound(self):
+        # one stage, whose rate goes with 1/(1 + q/q1): any charge fits, each with its scale
+        def degenerate(q, seed):
+            rng = np.random.default_rng(seed)
+            t = np.linspace(0, 1.5, 301)
+            return t, 1 - 0.3 * (1 + 0.005 * rng.standard_normal()) / (1 + q / 3e-10) * t
+        tau = np.linspace(0, 1.5, 80)
+        y = np.interp(tau, *degenerate(3e-10, 5)) + 1e-3 * np.random.default_rng(5).standard_normal(80)
+        data = caldata.of("made-up", tau * 8e5 / DAY, 0.15 * y, 0.15)
+        made = calloop.search(data, lambda pairs: [degenerate(q, 10 + k) for q, k in pairs], CHARGES,
+                              tell=lambda line: None)
+        self.assertTrue(made.fit.known and not made.fit.determined)
+        self.assertFalse(calloop.scale_determined(made))
+        said = calibrate.report("x", data, {}, made, [""] * len(made.charges))
+        self.assertFalse(said["time_scale"]["determined"])
+        self.assertIn("not determined", said["time_scale"]["says"])
+        # a rate that does not hang on the charge: the scale is known without it
+        flat = calloop.search(data, lambda pairs: [degenerate(3e-10, 10 + k) for _, k in pairs], CHARGES,
+                              tell=lambda line: None)
+        self.assertFalse(flat.fit.determined)
+        self.assertTrue(calloop.scale_determined(flat))
 
     def test_charges_are_added_beyond_those_tried(self):
         for q, charges in ((4.2e-10, [1.5e-10, 2.2e-10, 3e-10]), (1.6e-10, [2.5e-10, 3.2e-10, 4e-10])):
@@ -262,6 +288,9 @@ class ProgramTest(unittest.TestCase):
             f.writelines(f"{d},{0.3 - 0.01 * min(d, 9)}\n" for d in range(20))
         for charges, said in (("1e-10,2e-10", "three different"), ("a,b,c", "numbers with commas")):
             self.assertIn(said, self.calibrate("--data", data, "--charges", charges)[2])
+        for words, said in ((("--noise", "nan"), "--noise nan"), ((), "was not made by this program")):
+            self.assertIn(said, self.calibrate("--make-data", data, *words)[2])
+        self.assertIn("is a file", self.calibrate("--data", data, "--out", data)[2])
         self.assertEqual(self.made, [])
 
 

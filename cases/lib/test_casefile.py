@@ -119,6 +119,13 @@ class ColumnTest(unittest.TestCase):
         lens = 2 * math.pi * h**2 * (3 * r - h) / 3
         self.assertAlmostEqual(suspension.particle_volume(v), 14 * 4 / 3 * math.pi * r**3 - 7 * lens, delta=1e-20)
 
+    def test_mass_of_a_particle(self):
+        sphere = 4 / 3 * math.pi * 1e-9 * 2600
+        self.assertAlmostEqual(self.resolved("sphere-half")["body_mass"] / sphere, 1, delta=1e-12)
+        self.assertAlmostEqual(self.resolved("clump-half")["body_mass"] / (14 * sphere), 1, delta=1e-12)
+        v = self.resolved("clump-half", volume="union")
+        self.assertAlmostEqual(v["body_mass"] / (2600 * suspension.particle_volume(v)), 1, delta=1e-12)
+
     def test_no_room(self):
         with self.assertRaisesRegex(CaseError, "fill_height = 0.2 m: at most tube_height = 0.15 m"):
             self.resolved("clump-half", fill_height=0.2)

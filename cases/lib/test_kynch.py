@@ -115,6 +115,28 @@ class MadeUpRun(unittest.TestCase):
         with self.assertRaisesRegex(CaseError, "drag is not that of"):
             kynch_compare.Comparison([self.folders[0], other])
 
+    def test_foreign_folders(self):
+        folder = os.path.join(self.store.name, "foreign")
+        os.makedirs(folder)
+        for content, words in (("[]", "is none of cases/run"), ('{"case": "x"}', "is none of cases/run"),
+                               ('{"case": "x", "settings": 1}', "is none of cases/run"),
+                               ('{"case": "x", "settings": {"end": 1}}', "has no setting seed")):
+            with open(os.path.join(folder, "summary.json"), "w", encoding="utf-8") as f:
+                f.write(content)
+            with self.assertRaisesRegex(CaseError, words):
+                kynch_measure.Record(folder)
+
+    def test_one_bad_group_does_not_stop_the_others(self):
+        out, bad = os.path.join(self.store.name, "groups"), os.path.join(self.store.name, "none")
+        said, errors = io.StringIO(), io.StringIO()
+        with mock.patch.object(sys, "argv", ["kynch", "--phi0", "0.1,0.15", "--out", out]), \
+                mock.patch.object(kynch_compare, "make", lambda args: ([[bad], self.folders], False)), \
+                contextlib.redirect_stdout(said), contextlib.redirect_stderr(errors):
+            self.assertEqual(kynch_compare.main(), 1)
+        self.assertIn("holds no summary.json", errors.getvalue())
+        with open(os.path.join(out, "kynch.json"), encoding="utf-8") as f:
+            self.assertEqual(len(json.load(f)["comparisons"]), 1)
+
     def test_a_column_that_still_sinks_is_refused(self):
         record = kynch_measure.Record(self.folders[0])
         record.t, record.top = record.t[:40], record.top[:40]
@@ -145,6 +167,9 @@ class RefusalTest(unittest.TestCase):
         for phi_0 in (0.02, 0.15, 0.3):
             v = values(solid_fraction=phi_0)
             self.assertGreater(kynch_column.enough(v), kynch_column.Column(v, 0.525).kynch.t_end)
+        v = values(coupling_steps=7)
+        intervals = kynch_column.enough(v) / (7 * v["dem_step"])
+        self.assertAlmostEqual(intervals, round(intervals), delta=1e-6)
 
 
 if __name__ == "__main__":

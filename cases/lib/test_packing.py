@@ -260,6 +260,24 @@ class FilesTest(unittest.TestCase):
 
 class CommandTest(unittest.TestCase):
 
+    def test_folders_that_are_taken(self):
+        with tempfile.TemporaryDirectory() as out:
+            def put(*names):
+                for name in names:
+                    open(os.path.join(out, name), "w", encoding="utf-8").close()
+            os.makedirs(os.path.join(out, "packmol"))  # of a packing that failed
+            pack_main._clear(out)
+            put("packing.json", "packing.places", "packing.png")
+            pack_main._clear(out)
+            self.assertFalse(os.path.exists(os.path.join(out, "packing.png")))
+            put("case.txt")
+            with self.assertRaisesRegex(CaseError, "is the folder of a run"):
+                pack_main._clear(out)
+        with tempfile.TemporaryDirectory() as out:
+            put("packing.places", "notes")
+            with self.assertRaisesRegex(CaseError, "other things than a packing"):
+                pack_main._clear(out)
+
     def test_wrong_words(self):
         for words, says in ((["clump-half", "--set", "packing=tight"], "packing = tight: one of"),
                             (["clump-halve"], "did you mean 'clump-half'?"),

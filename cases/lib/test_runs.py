@@ -112,6 +112,46 @@ class RunsTest(unittest.TestCase):
         store.command = change
         self.assertIn("were changed while it ran", store.run_many([("clump-half", {})])[0].error)
 
+    def test_what_decides_is_gone_after_the_run(self):
+        store = self.store()
+        plain = store.command
+
+        def change(*args):
+            self.build = None
+            return plain(*args)
+        store.command = change
+
+        def programs():
+            if self.build is None:
+                raise CaseError("clayFoam is not there")
+            return self.build
+        with mock.patch.object(runkey, "programs", programs):
+            self.assertIn("were changed while it ran", store.run_many([("clump-half", {})])[0].error)
+
+    def test_stopping_ends_what_a_run_has_started(self):
+        code = ("import subprocess, sys; c = subprocess.Popen(['sleep', '60']); "
+                "open(sys.argv[1], 'w').write(f'{c.pid}\\n'); c.wait()")
+        store = runs.Store(os.path.join(self.top, "runs"), tell=self.said.append,
+                           command=lambda *_: [sys.executable, "-c", code, self.notes])
+        os.makedirs(store.folder)
+        job = store._job("clump-half", {})
+        self.assertTrue(store._take(job))
+        store._start(job, False)
+        self.wait(lambda: os.path.isfile(self.notes) and open(self.notes, encoding="utf-8").read().endswith("\n"))
+        with open(self.notes, encoding="utf-8") as f:
+            child = int(f.read())
+        self.assertIn(b"sleep", self.words_of(child))
+        store._stop(job)
+        self.wait(lambda: b"sleep" not in self.words_of(child))
+
+    def test_a_broken_curve(self):
+        path = os.path.join(self.top, "settling.csv")
+        for content in ("", "a,b\n1,2\n", "time_s,interface_m\n", "time_s,interface_m\n0,1\n1,2,3\n"):
+            with open(path, "w", encoding="utf-8") as f:
+                f.write(content)
+            with self.assertRaisesRegex(CaseError, "settling.csv: "):
+                runs.curve(self.top)
+
     def test_at_most_so_many_at_once(self):
         with mock.patch.object(runs.launch, "cores", lambda: 4):
             self.assertEqual(runs.default_jobs(), 2)

@@ -72,7 +72,9 @@ class StagesTest(unittest.TestCase):
                                   ("a,b,c\n" + rows, "a", "two columns, TIME,HEIGHT"),
                                   ("a,b,c\n" + rows + "30,x,0\n", "a,b", "line 22: '30,x,0'"),
                                   ("a,b,c\n" + rows + "3,1,0\n", "a,b", "does not come after"),
-                                  ("# nothing\n", None, "holds no rows")):
+                                  ("# nothing\n", None, "holds no rows"),
+                                  ("time_s,height_m\n", None, "holds names of columns, but no rows"),
+                                  ("0,x\n" + rows, None, "line 1: '0,x'")):
             with self.assertRaisesRegex(CaseError, words):
                 stages_main.read(self.write(text), data)
 
@@ -91,6 +93,17 @@ class ScalingTest(unittest.TestCase):
         self.assertIn("prototype 77 d = model 7.01 s", said.getvalue())
         self.assertIn("9.49e+05", said.getvalue())
         self.assertIn("warning: model: Re = 638 is not Stokes flow", said.getvalue())
+
+    def test_other_diameters_have_a_ratio_of_their_own(self):
+        for words in (["--ratio", "1e4"], ["--d-model=2e-4"], ["--d-prototype", "2e-5"]):
+            said = io.StringIO()
+            with contextlib.redirect_stdout(said):
+                self.assertEqual(scaling_main.main(["clump-half", *words]), 0)
+            self.assertRegex(said.getvalue(), r"T_p/T_m in use +1e\+04")
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            scaling_main.main(["clump-half", "--ratio", "1e4", "--calibrated"])
+        self.assertRegex(said.getvalue(), r"T_p/T_m in use +9.49e\+05")
 
     def test_unknown_case(self):
         with self.assertRaisesRegex(CaseError, "unknown case 'odd'"):

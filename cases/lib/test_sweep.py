@@ -132,6 +132,20 @@ class SweepTest(unittest.TestCase):
                 self.assertEqual(extra, {"clumps": "solid_fraction"})
                 self.assertLess(changed.derive(1, 1)["clumps"], 60)
 
+    def test_guarded(self):
+        def fails(error):
+            def work():
+                raise error
+            return work
+        for error, said in ((OSError("no room"), "x: no room"), (FileNotFoundError(2, "not there", "f"), "x: f: not there"),
+                            (CaseError("wrong"), "x: wrong")):
+            errors = io.StringIO()
+            with contextlib.redirect_stderr(errors):
+                self.assertEqual(sweep.guarded(fails(error), "x"), 2)
+            self.assertEqual(errors.getvalue(), said + "\n")
+        with self.assertRaises(ValueError):  # a mistake of the program's own
+            sweep.guarded(fails(ValueError("?")), "x")
+
     def test_bad_input(self):
         for words, said in ((("--set", "charge"), "KEY=A,B,C is wanted"),
                             (("--set", "charge=1e-10,"), "KEY=A,B,C is wanted"),
@@ -139,6 +153,8 @@ class SweepTest(unittest.TestCase):
                             (("--set", "charg=1e-10"), "did you mean 'charge'"),
                             (("--set", "charge=1e-10,much"), "a number is wanted"),
                             (("--set", "seed=1,2", "--seeds", "2"), "take one of them"),
+                            (("--set", "solids=5,7", "--set", "clumps=9"), "solids = 5 decides nothing"),
+                            (("--set", "seed=2147483648"), "at most 2147483647"),
                             (("--set", "charge=1e-10", "--seeds", "0"), "--seeds 0"),
                             (("--set", "charge=1e-10", "--jobs", "0"), "--jobs 0")):
             status, _, errors, _ = self.sweep(*words)

@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 
 import coupled
 from frame import Broken
@@ -43,11 +44,12 @@ def run(checks):
         checks.true(f"true {key} in its interval", p["low"] <= truth <= p["high"],
                     f"{p['low']:.4g} to {p['high']:.4g}", f"{truth:.4g}")
         checks.at_most(f"half of the interval of {key}, over it", 0.5 * (p["high"] - p["low"]) / p["value"], gate)
-    checks.at_most("runs it took", float(len(found["runs"])), 10)
+    # 10 would be the most that are allowed
+    checks.at_most("runs it took", float(len(found["runs"])), 9)
     checks.at_most("misfit over what is expected", found["rms_misfit"] / found["rms_expected"], 2.0)
     last = found["end_of_consolidation"]
     checks.true("the end of consolidation, or a bound of it", (last["low"] or 0) > 0,
                 f"{last['low']:.4g} days" if last["low"] else "")
     # every run is there now
     again = calibrate(*words, limit=120)
-    checks.true("a second calibration makes no run", "run 1 of" not in again.output)
+    checks.true("a second calibration makes no run", not re.search(r"run \d+ of", again.output))

@@ -16,6 +16,7 @@ class _Rows(unittest.TestResult):
     def __init__(self, checks):
         super().__init__()
         self.checks, self.reason = checks, ""
+        self.modules = set()
 
     def _note(self, error):
         self.reason = self.reason or f"{error[0].__name__}: {error[1]}".replace("\n", " ")
@@ -23,6 +24,7 @@ class _Rows(unittest.TestResult):
     def startTest(self, test):
         super().startTest(test)
         self.reason = ""
+        self.modules.add(type(test).__module__.rpartition(".")[2])
 
     def addError(self, test, err):
         super().addError(test, err)
@@ -58,6 +60,7 @@ def run(checks):
         suite = unittest.TestLoader().discover(folder, "test_*.py", top)
         result = _Rows(checks)
         suite.run(result)
-        files = sum(f.startswith("test_") and f.endswith(".py") for f in os.listdir(folder))
-        checks.at_least(f"tests run, over files of tests in {os.path.relpath(folder, coupled.TOP)}",
-                        float(result.testsRun), float(files))
+        files = {f[:-3] for f in os.listdir(folder) if f.startswith("test_") and f.endswith(".py")}
+        idle = sorted(files - result.modules)
+        checks.true(f"a test ran of every file of tests in {os.path.relpath(folder, coupled.TOP)}",
+                    bool(files) and not idle, f"none of {', '.join(idle)}" if idle else "")

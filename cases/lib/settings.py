@@ -1,0 +1,100 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""Settings KEY=VALUE of a command line: read, applied, and made to decide.
+
+A parameter marked `followed` in case.json decides nothing by itself, only what
+follows it by a word: solids the solid fraction, and that the number of clumps.
+Where a follower holds a number of the case, it is made to follow; where it was
+set to one as well, the setting is refused.
+"""
+
+import os
+
+from casefile import TOP, CaseError, text
+
+
+def split(setting, option="--set", form="KEY=VALUE"):
+    """Key and value of one setting."""
+    key, sign, value = (x.strip() for x in setting.partition("="))
+    if not sign or not key:
+        raise CaseError(f"{option} {setting}: {form} is wanted")
+    return key, value
+
+
+def read(settings, option="--set"):
+    """The values by key; a key given again starts anew."""
+    return dict(split(s, option) for s in settings)
+
+
+def follow(case, given):
+    """What has to follow so that each key of `given` decides, as {key: word}."""
+    found = {}
+    for key in given:
+        if key not in case.parameters or not case.parameters[key].get("followed"):
+            continue
+        taken, decides, look = [], False, [key]
+        while look:
+            source = look.pop(0)
+            for other, word in _followers(case, source):
+                if other in given and given[other] != word:
+                    taken.append(other)
+                    continue
+                if other not in given and case.values[other] != word:
+                    found[other] = word
+                if case.parameters[other].get("followed"):
+                    look.append(other)
+                else:
+                    decides = True
+        if taken and not decides:
+            raise CaseError(f"{key} = {_shown(given[key])} decides nothing: "
+                            f"{taken[0]} = {_shown(given[taken[0]])} is set, too")
+    return found
+
+
+def _followers(case, source):
+    """Parameters that can follow `source`, each with the word that makes it."""
+    for other, entry in case.parameters.items():
+        words = entry.get("or", ())
+        for word in words:
+            if (words[word] if isinstance(words, dict) else word) == source:
+                yield other, word
+
+
+def _shown(value):
+    return value if isinstance(value, str) else text(value)
+
+
+def apply(case, given, tell=None):
+    """Sets the values in the case; gives them with what follows, first. What
+    follows is said in one line to tell."""
+    for key, value in given.items():
+        case.set(key, _shown(value))
+    more = follow(case, given)
+    for key, word in more.items():
+        case.set(key, word)
+    if more and tell:
+        tell(said(more))
+    return {**more, **given}
+
+
+def said(more):
+    """What follows what, in a line."""
+    return ", ".join(f"{key} follows: {word}" for key, word in more.items())
+
+
+def path(out, *default):
+    """The folder of --out, else that of the default in results."""
+    return os.path.abspath(out or os.path.join(TOP, "results", *default))
+
+
+def folder(out, *default):
+    """Likewise, and made if need be."""
+    place = path(out, *default)
+    if os.path.exists(place) and not os.path.isdir(place):
+        raise CaseError(f"--out {place}: is a file; name a folder")
+    try:
+        os.makedirs(place, exist_ok=True)
+    except OSError as e:
+        raise CaseError(f"--out {place}: {e.strerror}; name another folder") from None
+    if not os.access(place, os.W_OK | os.X_OK):
+        raise CaseError(f"--out {place}: cannot be written to; name another folder")
+    return place

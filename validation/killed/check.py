@@ -43,9 +43,10 @@ def _kill(checks, program):
                             "--out", folder, "--end", "1"], stdin=subprocess.DEVNULL, text=True,
                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     try:
-        # its first line of progress says that both halves march
-        if not run.stdout.readline().startswith("t = "):
-            raise Broken(f"{program}: the run did not start: {run.stdout.read()[-200:]}")
+        # its first line of progress, after one on the packing, says that both halves march
+        said = [run.stdout.readline(), run.stdout.readline()]
+        if not any(line.startswith("t = ") for line in said):
+            raise Broken(f"{program}: the run did not start: {''.join(said)} {run.stdout.read()[-200:]}")
         halves = {name[:15]: pid for pid, name in _children(run.pid)}
         os.kill(halves[program], signal.SIGKILL)
         began = time.monotonic()

@@ -15,7 +15,7 @@ import launch
 import runs
 import settings
 from casefile import Case, CaseError, text
-from sweep import guarded
+from program import guarded
 
 _ONE_STAGE = "the measured curve shows one stage only; the charge shows in the second"
 _DEFAULT = (0.5, 0.85, 1.2)  # of the case's charge: charges to begin with

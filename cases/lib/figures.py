@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import runs
 import settings
 from casefile import TOP, CaseError, nearest
-from sweep import guarded
+from program import guarded
 
 #: The figures there are: what each shows, and the module that draws it. A module
 #: has wanted(number, options), which names runs as {label: (case, changes)}, and

@@ -12,7 +12,7 @@ import launch
 import runs
 import settings
 from casefile import Case, CaseError, text
-from sweep import guarded
+from program import guarded
 
 #: What is compared: key of kynch_measure.Measured.numbers, words, factor and
 #: unit for the table, and what the theory has for it.

@@ -2,7 +2,6 @@
 """cases/run: runs a coupled case from its one small folder."""
 
 import argparse
-import os
 import signal
 import sys
 
@@ -11,6 +10,7 @@ import launch
 import prepare
 import settings
 from casefile import CaseError
+from program import guarded
 
 
 def parser():
@@ -68,15 +68,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except CaseError as e:
-        print(f"cases/run: {e}", file=sys.stderr)
-        sys.exit(2)
-    except KeyboardInterrupt:
-        sys.exit(130)
-    except BrokenPipeError:
-        os._exit(1)
-    except OSError as e:
-        print(f"cases/run: {e.filename}: {e.strerror}" if e.filename else f"cases/run: {e}", file=sys.stderr)
-        sys.exit(2)
+    sys.exit(guarded(main, "cases/run"))

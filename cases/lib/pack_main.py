@@ -14,6 +14,7 @@ import casefile
 import packing
 import settings
 from casefile import CaseError
+from program import guarded
 
 
 def parser():
@@ -110,15 +111,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except CaseError as e:
-        print(f"cases/pack: {e}", file=sys.stderr)
-        sys.exit(2)
-    except KeyboardInterrupt:
-        sys.exit(130)
-    except BrokenPipeError:
-        os._exit(1)
-    except OSError as e:
-        print(f"cases/pack: {e.filename}: {e.strerror}" if e.filename else f"cases/pack: {e}", file=sys.stderr)
-        sys.exit(2)
+    sys.exit(guarded(main, "cases/pack"))

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from casefile import Case, CaseError
 from suspension import resolve, theory
-from sweep import guarded
+from program import guarded
 
 PROGRAM = "cases/scaling"
 

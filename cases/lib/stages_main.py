@@ -13,7 +13,7 @@ import settings
 import stagefit
 from casefile import CaseError, nearest
 from suspension import theory
-from sweep import guarded
+from program import guarded
 
 _TIMES = {"s": "s", "d": "d", "days": "d", "day": "d", "h": "h", "min": "min"}
 _LEAST_ROWS = 12

@@ -14,6 +14,7 @@ import runs
 import settings
 import stagefit
 from casefile import Case, CaseError, text
+from program import guarded
 
 _MOST_RUNS = 10000
 
@@ -166,23 +167,6 @@ def main():
         if row["error"]:
             print(f"cases/sweep: {row['error']}", file=sys.stderr)
     return 0 if len(good) == len(rows) else 1
-
-
-def guarded(work, program):
-    """A program's exit code; bad input is said in one line."""
-    try:
-        return work()
-    except CaseError as e:
-        print(f"{program}: {e}", file=sys.stderr)
-        return 2
-    except KeyboardInterrupt:
-        print(f"{program}: interrupted; the finished runs are kept", file=sys.stderr)
-        return 130
-    except BrokenPipeError:
-        os._exit(1)
-    except OSError as e:
-        print(f"{program}: {e.filename}: {e.strerror}" if e.filename else f"{program}: {e}", file=sys.stderr)
-        return 2
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ import calibrate
 import calloop
 import runkey
 import runs
-import sweep
+import program
 from casefile import CaseError
 
 DAY = 86400.0
@@ -239,7 +239,7 @@ class ProgramTest(unittest.TestCase):
         said, errors = io.StringIO(), io.StringIO()
         with mock.patch.object(sys, "argv", ["calibrate", "clump-half", *words]), \
                 contextlib.redirect_stdout(said), contextlib.redirect_stderr(errors):
-            status = sweep.guarded(calibrate.main, "cases/calibrate")
+            status = program.guarded(calibrate.main, "cases/calibrate")
         return status, said.getvalue(), errors.getvalue()
 
     def test_made_up_truth_is_recovered(self):

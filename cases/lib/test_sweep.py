@@ -15,6 +15,7 @@ from unittest import mock
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import runkey
 import runs
+import program
 import sweep
 from casefile import Case, CaseError
 
@@ -58,7 +59,7 @@ class SweepTest(unittest.TestCase):
         said, errors = io.StringIO(), io.StringIO()
         with mock.patch.object(sys, "argv", ["sweep", "clump-half", "--out", out, *words]), \
                 contextlib.redirect_stdout(said), contextlib.redirect_stderr(errors):
-            status = sweep.guarded(sweep.main, "cases/sweep")
+            status = program.guarded(sweep.main, "cases/sweep")
         return status, said.getvalue(), errors.getvalue(), out
 
     def test_table_json_and_picture(self):
@@ -141,10 +142,10 @@ class SweepTest(unittest.TestCase):
                             (CaseError("wrong"), "x: wrong")):
             errors = io.StringIO()
             with contextlib.redirect_stderr(errors):
-                self.assertEqual(sweep.guarded(fails(error), "x"), 2)
+                self.assertEqual(program.guarded(fails(error), "x"), 2)
             self.assertEqual(errors.getvalue(), said + "\n")
         with self.assertRaises(ValueError):  # a mistake of the program's own
-            sweep.guarded(fails(ValueError("?")), "x")
+            program.guarded(fails(ValueError("?")), "x")
 
     def test_bad_input(self):
         for words, said in ((("--set", "charge"), "KEY=A,B,C is wanted"),

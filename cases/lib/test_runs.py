@@ -140,7 +140,7 @@ class RunsTest(unittest.TestCase):
         self.wait(lambda: os.path.isfile(self.notes) and open(self.notes, encoding="utf-8").read().endswith("\n"))
         with open(self.notes, encoding="utf-8") as f:
             child = int(f.read())
-        self.assertIn(b"sleep", self.words_of(child))
+        self.wait(lambda: b"sleep" in self.words_of(child))
         store._stop(job)
         self.wait(lambda: b"sleep" not in self.words_of(child))
 

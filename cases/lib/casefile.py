@@ -9,6 +9,8 @@ import re
 
 CASES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 TOP = os.path.dirname(CASES)
+# where a case's folder may be; the first holds those that cases/run lists
+PLACES = (CASES, os.path.join(TOP, "validation"))
 
 # what every case has, and what each of it must be; case.json may ask for more
 _NEEDED = {
@@ -38,16 +40,18 @@ def nearest(word, known, what):
 def names():
     """The cases there are: folders with a case.json that has a title; one
     without holds what other cases share."""
-    return sorted(d for d in _folders() if "title" in _read(d))
+    return sorted(d for d in _folders(PLACES[:1]) if "title" in _read(d))
 
 
-def _folders():
-    return [d for d in os.listdir(CASES) if os.path.isfile(os.path.join(CASES, d, "case.json"))]
+def _folders(places=None):
+    """The folders with a case.json, {name: path}."""
+    return {d: os.path.join(p, d) for p in reversed(places or PLACES) if os.path.isdir(p)
+            for d in os.listdir(p) if os.path.isfile(os.path.join(p, d, "case.json"))}
 
 
 def _read(name):
     """A folder's case.json."""
-    path = os.path.join(CASES, name, "case.json")
+    path = os.path.join(_folders()[name], "case.json")
     try:
         with open(path, encoding="utf-8") as f:
             found = json.load(f)
@@ -75,9 +79,8 @@ class Case:
     """
 
     def __init__(self, name):
-        known = names()
-        if name not in known:
-            raise CaseError(nearest(name, known, "case"))
+        if name not in _folders() or "title" not in _read(name):
+            raise CaseError(nearest(name, names(), "case"))
         self.name = name
         self.folders = []  # of the cases this one is like, the remotest first, its own last
         self.parameters, self.values = {}, {}
@@ -90,7 +93,7 @@ class Case:
 
     def _load(self, name, below):
         """Takes over what case `name` says, after all that it is like."""
-        folder = os.path.join(CASES, name)
+        folder = _folders()[name]
         path = os.path.join(folder, "case.json")
         found = _read(name)
         if "like" in found:
@@ -98,7 +101,7 @@ class Case:
             if other in below + [name]:
                 raise CaseError(f"{path}: like = {other}: a case cannot be like itself")
             if other not in _folders():
-                raise CaseError(f"{path}: like: {nearest(str(other), _folders(), 'case')}")
+                raise CaseError(f"{path}: like: {nearest(str(other), list(_folders()), 'case')}")
             self._load(other, below + [name])
         self.folders.append(folder)
         try:

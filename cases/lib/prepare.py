@@ -46,7 +46,7 @@ def run_folder(case, out, derived):
     # shared files first, so that a case's own take their place
     for source in (os.path.join(CASES, "common"), *case.folders):
         shutil.copytree(source, out, dirs_exist_ok=True,
-                        ignore=shutil.ignore_patterns("case.json", "README*"))
+                        ignore=shutil.ignore_patterns("case.json", "README*", "check.py"))
     _parameters(out, {**case.values, **derived})
     if "packing" in case.values:
         packing.write(out, {**case.values, **derived})
@@ -59,7 +59,7 @@ def _parameters(out, values):
     head = "This file is made by cases/run from case.json"
     with open(os.path.join(out, "parameters.liggghts"), "w", encoding="utf-8") as f:
         f.write(f"# {head}\n")
-        f.writelines(f"variable {k} string {text(v)}\n" for k, v in values.items())
+        f.writelines(f'variable {k} string "{text(v)}"\n' for k, v in values.items())
     with open(os.path.join(out, "CFD", "system", "parameters"), "w", encoding="utf-8") as f:
         f.write(f"// {head}\n\nparameters\n{{\n")
         f.writelines(f"    {k:<15} {text(v)};\n" for k, v in values.items())

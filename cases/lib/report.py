@@ -139,13 +139,14 @@ def finish(case, run, derived, alone=False, pictures=True):
     """All that follows a run; returns the exit code."""
     v = case.values
     scale = v.get("time_scale", 1.0)
-    rows = curve(run.folder, scale)
+    settled = os.path.isfile(os.path.join(run.folder, "settling.csv"))
+    rows = curve(run.folder, scale) if settled else []
     s = summary(case, run, derived, _alone(run) if alone else None)
     if run.cfd > 1:
         openfoam.run("reconstructPar", os.path.join(run.folder, "CFD"))
     import spheres
     spheres.for_paraview(run.folder, v["dem_step"])
-    if pictures:
+    if pictures and settled and "tube_radius" in v:
         import numpy as np
         import pictures as draw
         arrays = {k: np.array([float(r[k]) for r in rows]) for k in rows[0]}

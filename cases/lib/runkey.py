@@ -64,7 +64,7 @@ def inputs(case):
         for folder, _, files in os.walk(source):
             for f in files:
                 path = os.path.join(folder, f)
-                if f != "case.json" and not f.startswith("README"):
+                if f not in ("case.json", "check.py") and not f.startswith("README"):
                     found[os.path.relpath(path, source)] = _file_hash(path)
     code = {}
     _modules("prepare", code)

@@ -35,6 +35,15 @@ def particle_volume(v):
     return 14 * sphere - (7 * lens if v["volume"] == "union" else 0.0)
 
 
+def _box(values):
+    """What a box's sides are to the DEM half: its boundaries, whether there are walls."""
+    if (values["bottom"] == "cyclic") != (values["top"] == "cyclic"):
+        raise CaseError(f"top = {values['top']}, bottom = {values['bottom']}: cyclic is wanted of both, or of none")
+    around, along = (values[k] == "cyclic" for k in ("sides", "bottom"))
+    return {"around": "p" if around else "f", "along": "p" if along else "f",
+            "side_walls": int(not around), "end_walls": int(not along)}
+
+
 def resolve(values):
     """The values that are given by a word, as numbers: words of casefile's
     entry "or"; the mass of a particle [kg]. Empty where nothing is."""
@@ -52,10 +61,23 @@ def resolve(values):
         found["fill_height"] = values["tube_height"]
     if "fill_height" in values and now("fill_height") > values["tube_height"]:
         raise CaseError(f"fill_height = {now('fill_height')} m: at most tube_height = {values['tube_height']} m is wanted")
+    if "forces" in values:
+        named = values["forces"]
+        if named == "auto":
+            named = "pressureGradient+buoyancy" if values["model"] == "A" else "buoyancy"
+        found["force_models"] = "(" + named.replace("+", " ").replace("none", "") + ")"
+    if "size_x" in values:
+        found.update(_box(values))
+    if "sphere_radius" not in values:
+        return found
+    one = particle_volume(values)
+    found["body_mass"] = values["density"] * one
     counted = next((k for k in ("clumps", "spheres") if k in values), None)
     if counted:
-        space = math.pi * values["tube_radius"]**2 * now("fill_height")
-        one = particle_volume(values)
+        if "tube_radius" in values:
+            space = math.pi * values["tube_radius"]**2 * now("fill_height")
+        else:
+            space = values["size_x"] * values["size_y"] * values["size_z"]
         if values[counted] == "solid_fraction":
             if now("solid_fraction") == "solids":
                 found["solid_fraction"] = solid_fraction(values["solids"], values["density"], now("fluid_density"))
@@ -63,5 +85,4 @@ def resolve(values):
             if found[counted] < 1:
                 raise CaseError(f"solid_fraction = {now('solid_fraction'):.3g}: leaves no room for one particle")
         found["solid_fraction"] = now(counted) * one / space
-        found["body_mass"] = values["density"] * one
     return found

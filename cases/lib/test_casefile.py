@@ -20,7 +20,7 @@ class InFolder(unittest.TestCase):
         place = tempfile.TemporaryDirectory()
         self.addCleanup(place.cleanup)
         self.top = place.name
-        patch = mock.patch.object(casefile, "CASES", self.top)
+        patch = mock.patch.object(casefile, "PLACES", (self.top,))
         patch.start()
         self.addCleanup(patch.stop)
 

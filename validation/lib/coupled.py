@@ -3,6 +3,7 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import time
@@ -56,6 +57,31 @@ def finished(name, where, *options, limit=600):
     return folder
 
 
+def dem(case, where, limit=300, **variables):
+    """liggghts-clay alone on validation/CASE/in.liggghts in results/validation/where,
+    made anew with copies of that folder's inputs; returns the folder. The run
+    must end well."""
+    source, folder = os.path.join(TOP, "validation", case), os.path.join(RUNS, where)
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(source, folder, ignore=shutil.ignore_patterns("check.py", "README*", "case.json"))
+    os.makedirs(os.path.join(folder, "DEM"), exist_ok=True)
+    words = [os.path.join(TOP, "build", "bin", "liggghts-clay"), "-in", "in.liggghts", "-log", "DEM/log"]
+    for key, value in variables.items():
+        words += ["-var", key, *map(str, value if isinstance(value, (list, tuple)) else [value])]
+    outcome = execute(words, limit, cwd=folder)
+    if outcome.status != 0:
+        lines = [x for x in outcome.output.splitlines() if x.strip()]
+        raise Broken(f"the run in {where} ended with {outcome.status}: {lines[-1] if lines else ''}")
+    return folder
+
+
+def columns(path):
+    """The columns of a csv by name, as lists of numbers."""
+    with open(path, encoding="utf-8") as f:
+        rows = [x.strip().split(",") for x in f if x.strip() and not x.startswith("#")]
+    return {key: [float(r[i]) for r in rows[1:]] for i, key in enumerate(rows[0])}
+
+
 def summary(folder):
     with open(os.path.join(folder, "summary.json"), encoding="utf-8") as f:
         return json.load(f)
@@ -63,6 +89,4 @@ def summary(folder):
 
 def settling(folder):
     """The columns of settling.csv, as lists of numbers by name."""
-    with open(os.path.join(folder, "settling.csv"), encoding="utf-8") as f:
-        rows = [x.strip().split(",") for x in f if x.strip() and not x.startswith("#")]
-    return {key: [float(r[i]) for r in rows[1:]] for i, key in enumerate(rows[0])}
+    return columns(os.path.join(folder, "settling.csv"))

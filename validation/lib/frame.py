@@ -17,6 +17,15 @@ class Checks:
 
     def __init__(self, case, tell):
         self.case, self.tell, self.rows = case, tell, []
+        self.pictures, self.notes = [], []
+
+    def picture(self, path):
+        """A picture of this case, for the page of results."""
+        self.pictures.append(path)
+
+    def note(self, text):
+        """A line for the page of results, such as why a gate is not met."""
+        self.notes.append(text)
 
     def _row(self, quantity, value, reference, error, gate, passed):
         row = dict(zip(COLUMNS, (self.case, quantity, value, reference, error, gate,
@@ -74,8 +83,14 @@ def write_csv(path, rows):
         out.writerows(rows)
 
 
+def plain(row):
+    """A row as JSON has it: passed instead of the verdict, nothing that is not a finite number."""
+    row = {k: None if isinstance(v, float) and not math.isfinite(v) else v for k, v in row.items()}
+    return {**{k: row[k] for k in COLUMNS[:-1]}, "passed": row["verdict"] == "pass"}
+
+
 def write_json(path, rows):
-    passed = sum(r["verdict"] == "pass" for r in rows)
+    """A list of objects: case, quantity, value, reference, error, gate, passed."""
     with open(path, "w", encoding="utf-8") as f:
-        json.dump({"passed": passed, "failed": len(rows) - passed, "checks": rows}, f, indent=2)
+        json.dump([plain(r) for r in rows], f, indent=2, default=float)
         f.write("\n")

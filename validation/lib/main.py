@@ -9,6 +9,7 @@ import sys
 import time
 
 import frame
+import page
 from coupled import RUNS, TOP
 
 HERE = os.path.join(TOP, "validation")
@@ -44,6 +45,8 @@ def main():
     p.add_argument("names", nargs="*", metavar="NAME", help="only these checks")
     p.add_argument("--list", action="store_true", help="list the checks and stop")
     p.add_argument("--all", action="store_true", help="the long checks, too")
+    p.add_argument("--record", action="store_true",
+                   help="write each case's table into its README.md, and the page validation/RESULTS.md")
     p.add_argument("--json", metavar="FILE", help="write the results as JSON, too")
     args = p.parse_args()
 
@@ -65,7 +68,7 @@ def main():
         return 0
 
     os.makedirs(RUNS, exist_ok=True)
-    rows = []
+    rows, results = [], []
     # the unit tests first: when they fail, so will the rest
     for name in sorted(modules, key=lambda n: ("unit" not in n, n)):
         module = modules[name]
@@ -78,12 +81,18 @@ def main():
             module.run(checks)
         except (Exception, SystemExit) as e:  # whatever it is, the other checks go on
             checks.true("came to its end", False, " ".join(f"{type(e).__name__}: {e}".split()))
-        print(f"   {time.monotonic() - began:.1f} s", flush=True)
+        seconds = time.monotonic() - began
+        print(f"   {seconds:.1f} s", flush=True)
         rows += checks.rows
+        results.append(page.Result(module.TITLE, checks, seconds))
 
     frame.write_csv(os.path.join(RUNS, "validation.csv"), rows)
     if args.json:
         frame.write_json(args.json, rows)
+    told = page.write(RUNS, results, keep=bool(args.names))
+    if args.record:
+        page.record(HERE, RUNS, list(modules))
+    print(f"page of results: {os.path.relpath(told)}")
     failed = [r for r in rows if r["verdict"] != "pass"]
     if failed:
         print("failed:")

@@ -6,7 +6,7 @@ import pathlib
 
 import numpy as np
 
-FOLDER = pathlib.Path(__file__).parent / "data"
+FOLDER = pathlib.Path(__file__).parent.parent / "data"
 
 
 def read(name, folder=FOLDER):

@@ -1,0 +1,125 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""The page of results: every case's table, pictures and notes, as HTML in
+results/validation, and without pictures as validation/RESULTS.md."""
+
+import html
+import json
+import os
+import re
+import shutil
+import time
+from dataclasses import dataclass
+
+import frame
+
+_MOST = 40  # rows of a case that are shown one by one; of more, those that failed
+_BEGIN, _END = "<!-- last result -->", "<!-- end of last result -->"
+_HEADS = ("quantity", "value", "reference", "error", "gate", "verdict")
+_STYLE = """body{font:15px/1.45 sans-serif;max-width:62em;margin:2em auto;padding:0 1em;color:#222}
+table{border-collapse:collapse;font-size:13px}td,th{padding:2px 10px;text-align:left;border-bottom:1px solid #ddd}
+td.FAIL{color:#b00020;font-weight:bold}td.pass{color:#1b6e2c}img{max-width:46em;width:100%;margin:.5em 0}
+h2{margin-top:2em;border-top:2px solid #999;padding-top:.5em}"""
+
+
+@dataclass
+class Result:
+    """What a case that has just run has to say."""
+
+    title: str
+    checks: frame.Checks
+    seconds: float
+
+
+def write(folder, results, keep):
+    """Adds results to those stored in `folder`/cases (all others are dropped
+    unless keep) and writes the page of all; returns its path."""
+    store = os.path.join(folder, "cases")
+    if not keep:
+        shutil.rmtree(store, ignore_errors=True)
+    os.makedirs(store, exist_ok=True)
+    for r in results:
+        pictures = []
+        for n, path in enumerate(r.checks.pictures):
+            name = f"{r.checks.case}-{n + 1}.png"
+            shutil.copyfile(path, os.path.join(store, name))
+            pictures.append(name)
+        with open(os.path.join(store, r.checks.case + ".json"), "w", encoding="utf-8") as f:
+            json.dump({"title": r.title, "seconds": r.seconds, "when": time.strftime("%Y-%m-%d"),
+                       "rows": [{k: frame.short(v) for k, v in row.items()} for row in r.checks.rows],
+                       "notes": r.checks.notes, "pictures": pictures}, f, indent=1)
+    cases = {}
+    for name in sorted(os.listdir(store)):
+        if name.endswith(".json"):
+            with open(os.path.join(store, name), encoding="utf-8") as f:
+                cases[name[:-5]] = json.load(f)
+    path = os.path.join(folder, "index.html")
+    with open(path, "w", encoding="utf-8") as f:
+        f.write(_html(cases))
+    return path
+
+
+def _failed(case):
+    return [r for r in case["rows"] if r["verdict"] != "pass"]
+
+
+def _shown(case):
+    rows = case["rows"]
+    return rows if len(rows) <= _MOST else _failed(case)
+
+
+def _html(cases):
+    def cells(row):
+        return "".join(f'<td class="{row[k]}">{row[k]}</td>' if k == "verdict" else f"<td>{html.escape(row[k])}</td>"
+                       for k in _HEADS)
+    head = "<tr>" + "".join(f"<th>{k}</th>" for k in _HEADS) + "</tr>"
+    out = [f"<!doctype html><meta charset=utf-8><title>clayFoam: validation</title><style>{_STYLE}</style>",
+           "<h1>clayFoam: validation</h1><table><tr><th>case</th><th></th><th>passed</th><th>failed</th><th>s</th></tr>"]
+    for name, c in cases.items():
+        bad = len(_failed(c))
+        out.append(f'<tr><td><a href="#{name}">{name}</a></td><td>{html.escape(c["title"])}</td>'
+                   f'<td>{len(c["rows"]) - bad}</td><td class="{"FAIL" if bad else "pass"}">{bad}</td>'
+                   f'<td>{c["seconds"]:.0f}</td></tr>')
+    out.append("</table>")
+    for name, c in cases.items():
+        out.append(f'<h2 id="{name}">{name}</h2><p>{html.escape(c["title"])}, {c["when"]}</p>')
+        out += [f"<p>{html.escape(n)}</p>" for n in c["notes"]]
+        out += [f'<img src="cases/{p}" alt="{name}">' for p in c["pictures"]]
+        rows = _shown(c)
+        if len(rows) < len(c["rows"]):
+            out.append(f"<p>{len(c['rows']) - len(_failed(c))} rows passed; those that failed:</p>")
+        if rows:
+            out.append(f"<table>{head}" + "".join(f"<tr>{cells(r)}</tr>" for r in rows) + "</table>")
+    return "\n".join(out) + "\n"
+
+
+def _markdown(case):
+    """A stored case's table and notes."""
+    rows = [[r[k].replace("|", "/") for k in _HEADS] for r in _shown(case)]
+    bad = len(_failed(case))
+    lines = [f"{case['when']}: {len(case['rows']) - bad} passed, {bad} failed, {case['seconds']:.0f} s.", ""]
+    if rows:
+        lines += ["| " + " | ".join(_HEADS) + " |", "|" + "---|" * len(_HEADS)]
+        lines += ["| " + " | ".join(r) + " |" for r in rows] + [""]
+    return lines + [x for n in case["notes"] for x in (n, "")]
+
+
+def record(here, folder, names):
+    """Writes each named case's last result into its README.md, and all stored
+    ones into RESULTS.md of `here`."""
+    store, page = os.path.join(folder, "cases"), ["# Last results of every validation case", "",
+                                                  "Written by `validation/run --all --record`.", ""]
+    for name in sorted(f[:-5] for f in os.listdir(store) if f.endswith(".json")):
+        with open(os.path.join(store, name + ".json"), encoding="utf-8") as f:
+            case = json.load(f)
+        lines = _markdown(case)
+        page += [f"## {name}", "", case["title"] + ".", "", *lines]
+        readme = os.path.join(here, name, "README.md")
+        if name in names and os.path.isfile(readme):
+            with open(readme, encoding="utf-8") as f:
+                old = f.read()
+            block = "\n".join([_BEGIN, *lines[:-1], _END])
+            new = re.sub(re.escape(_BEGIN) + r".*" + re.escape(_END), lambda _: block, old, flags=re.S)
+            with open(readme, "w", encoding="utf-8") as f:
+                f.write(new)
+    with open(os.path.join(here, "RESULTS.md"), "w", encoding="utf-8") as f:
+        f.write("\n".join(page).rstrip() + "\n")

@@ -21,9 +21,12 @@ def run(checks):
         s = coupled.summary(folder)
         checks.equal(f"{name}: particles lost", s["particles_lost"], 0)
         wanted = s["settings"].get("spheres") or 14 * s["settings"].get("clumps", 0)
-        checks.equal(f"{name}: particles", s["particles"], wanted)
+        if wanted:
+            checks.equal(f"{name}: particles", s["particles"], wanted)
         checks.close(f"{name}: simulated_s", s["simulated_s"], 0.02, 1e-9)
         checks.at_most(f"{name}: max_momentum_residual", s["max_momentum_residual"], 1e-10)
         checks.at_most(f"{name}: max_void_fraction_volume_error", s["max_void_fraction_volume_error"], 1e-12)
+        if "tube_height" not in s["settings"]:
+            continue
         height = coupled.settling(folder)["mean_height_m"]
         checks.true(f"{name}: the solids sink", height[-1] < height[0], height[-1], height[0])

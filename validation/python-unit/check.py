@@ -7,7 +7,7 @@ import unittest
 
 import coupled
 
-TITLE = "the unit tests of validation/theory and cases/lib"
+TITLE = "the unit tests of the Python parts"
 
 
 class _Rows(unittest.TestResult):
@@ -53,7 +53,8 @@ class _Rows(unittest.TestResult):
 
 
 def run(checks):
-    for folder, top in (("validation/theory", "validation"), ("cases/lib", "cases/lib")):
+    for folder, top in (("validation/theory", "validation"), ("cases/lib", "cases/lib"),
+                        ("validation/lib", "validation/lib")):
         folder, top = os.path.join(coupled.TOP, folder), os.path.join(coupled.TOP, top)
         # to the end: the names that both libraries have stay this one's
         sys.path.append(top)

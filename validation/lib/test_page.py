@@ -1,0 +1,68 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""The table's verdicts, its JSON, and the page of results."""
+
+import json
+import os
+import tempfile
+import unittest
+
+import frame
+import page
+
+
+def some():
+    checks = frame.Checks("one", lambda row: None)
+    checks.close("near", 1.01, 1.0, 0.02)
+    checks.close("far", 1.05, 1.0, 0.02)
+    checks.close("not a number", float("nan"), 1.0, 0.02)
+    checks.note("why <it> is far")
+    return checks
+
+
+class FrameTest(unittest.TestCase):
+    def test_a_gate_has_two_sides(self):
+        checks = frame.Checks("one", lambda row: None)
+        for value, passed in ((0.981, True), (1.019, True), (0.979, False), (1.021, False)):
+            self.assertIs(bool(checks.close("q", value, 1.0, 0.02)), passed, value)
+
+    def test_json(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "r.json")
+            frame.write_json(path, some().rows)
+            with open(path, encoding="utf-8") as f:
+                rows = json.load(f)
+        self.assertEqual([r["passed"] for r in rows], [True, False, False])
+        self.assertEqual(set(rows[0]), {"case", "quantity", "value", "reference", "error", "gate", "passed"})
+        self.assertIsNone(rows[2]["value"])
+
+
+class PageTest(unittest.TestCase):
+    def test_page_and_record(self):
+        with tempfile.TemporaryDirectory() as folder:
+            here = os.path.join(folder, "here")
+            os.makedirs(os.path.join(here, "one"))
+            readme = os.path.join(here, "one", "README.md")
+            with open(readme, "w", encoding="utf-8") as f:
+                f.write("# One\n<!-- last result -->\nold\n<!-- end of last result -->\nkept\n")
+            with open(page.write(folder, [page.Result("a title", some(), 1.0)], keep=False), encoding="utf-8") as f:
+                shown = f.read()
+            self.assertIn("why &lt;it&gt; is far", shown)
+            self.assertIn('class="FAIL">2<', shown)
+            page.record(here, folder, ["one"])
+            with open(readme, encoding="utf-8") as f:
+                text = f.read()
+            self.assertIn("| far | 1.05 | 1 | 0.05 | 0.02 | FAIL |", text)
+            self.assertNotIn("old", text)
+            self.assertIn("kept", text)
+            with open(os.path.join(here, "RESULTS.md"), encoding="utf-8") as f:
+                self.assertIn("## one", f.read())
+            # another case is added to those stored; a whole run begins anew
+            other = frame.Checks("two", lambda row: None)
+            page.write(folder, [page.Result("b", other, 1.0)], keep=True)
+            self.assertEqual(sorted(os.listdir(os.path.join(folder, "cases"))), ["one.json", "two.json"])
+            page.write(folder, [page.Result("b", other, 1.0)], keep=False)
+            self.assertEqual(os.listdir(os.path.join(folder, "cases")), ["two.json"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -145,7 +145,8 @@ def finish(case, run, derived, alone=False, pictures=True):
     if run.cfd > 1:
         openfoam.run("reconstructPar", os.path.join(run.folder, "CFD"))
     import spheres
-    spheres.for_paraview(run.folder, v["dem_step"])
+    if glob.glob(os.path.join(glob.escape(run.folder), "DEM", "spheres.*.dump")):
+        spheres.for_paraview(run.folder, v["dem_step"])
     if pictures and settled and "tube_radius" in v:
         import numpy as np
         import pictures as draw

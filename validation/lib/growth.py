@@ -23,7 +23,7 @@ from frame import Broken
 
 DIAMETER = 2e-3
 COLUMNS = ("part", "spheres", "cells", "dem_ranks", "cfd_ranks", "steps", "ns_each", "bytes_each",
-           "messages_a_rank", "bytes_a_rank", "memory_MB")
+           "messages_at_most", "bytes_a_rank", "memory_MB")
 FOLDER = os.path.join(coupled.TOP, "results", "growth")
 HELD_WITHIN = 0.20  # how flat the cost of a particle-step should be past the cache
 
@@ -93,7 +93,7 @@ def coupled_run(part, across, cell, steps, ranks):
         row["bytes_each"] = dem["bytes_sent"] / dem["exchanges"] / count
         row["bytes_a_rank"] = dem["bytes_sent"] / dem["exchanges"] / ranks[0]
         # a header to every CFD rank, and at most a state to it and an answer from it
-        row["messages_a_rank"] = 3 * ranks[1]
+        row["messages_at_most"] = 3 * ranks[1]
     return row
 
 

@@ -22,10 +22,14 @@ enum class Field : unsigned {
   body,             ///< number of the clump it belongs to, -1 for none, 1
   impulse,          ///< impulse received from the fluid since the last exchange [N s], 3
   mass,             ///< mass it stands for [kg], 1
+  spin,             ///< angular velocity [rad/s], 3
   // CFD to DEM
   dragCoefficient,  ///< K in F = K (u - v) [kg/s], 1
   fluidVelocity,    ///< u in F = K (u - v) [m/s], 3
   force,            ///< explicit force (pressure gradient, viscous, buoyancy) [N], 3
+  addedMass,        ///< m_a in F = -m_a dv/dt [kg], 1
+  turnCoefficient,  ///< C in T = C (w - spin) [N m s], 1
+  fluidSpin,        ///< w in T = C (w - spin) [rad/s], 3
   count
 };
 

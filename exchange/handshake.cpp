@@ -106,10 +106,13 @@ FieldSet stateFields(const BothTerms& both) {
 }
 
 FieldSet answerFields(const BothTerms& both) {
+  // what a CFD half offers only when its models have it
+  const FieldSet ifOffered{Field::force, Field::addedMass, Field::turnCoefficient,
+                           Field::fluidSpin};
   FieldSet set;
   for (unsigned i = 0; i < fieldCount; ++i) {
     const auto f = static_cast<Field>(i);
-    if (both.cfd.offers.has(f) && (both.dem.needs.has(f) || f == Field::force)) set.add(f);
+    if (both.cfd.offers.has(f) && (both.dem.needs.has(f) || ifOffered.has(f))) set.add(f);
   }
   return set;
 }

@@ -253,6 +253,12 @@ TEST_F(Agreement, DecidesWhatIsSent) {
   EXPECT_EQ(clay::answerFields(both), cfd.offers) << "the force comes along when it is offered";
   cfd.offers = {Field::dragCoefficient, Field::fluidVelocity};
   EXPECT_EQ(clay::answerFields({dem, cfd}), cfd.offers);
+  cfd.offers.add(Field::addedMass);
+  cfd.offers.add(Field::turnCoefficient);
+  cfd.offers.add(Field::fluidSpin);
+  EXPECT_EQ(clay::answerFields({dem, cfd}), cfd.offers) << "what a model adds comes along";
+  cfd.needs.add(Field::spin);
+  EXPECT_TRUE(clay::stateFields({dem, cfd}).has(Field::spin));
 }
 
 }  // namespace

@@ -19,6 +19,17 @@ Matrix3d cross_matrix(const Vector3d &r)
   return S;
 }
 
+// of spheres whose velocity is v + omega x r, from the moments of their coefficients
+Matrix6d of_moments(double K, const Vector3d &Kr, const Matrix3d &Krr)
+{
+  Matrix6d R;
+  R.topLeftCorner<3, 3>() = K * Matrix3d::Identity();
+  R.bottomLeftCorner<3, 3>() = cross_matrix(Kr);
+  R.topRightCorner<3, 3>() = -cross_matrix(Kr);
+  R.bottomRightCorner<3, 3>() = Krr.trace() * Matrix3d::Identity() - Krr;
+  return R;
+}
+
 }  // namespace
 
 void BodyDrag::add_sphere(const double *r_, double K_, const double *u, const double *f)
@@ -33,15 +44,15 @@ void BodyDrag::add_sphere(const double *r_, double K_, const double *u, const do
   lever += r * p.transpose();
 }
 
+void BodyDrag::add_mass(const double *r_, double m)
+{
+  const Vector3d r(r_[0], r_[1], r_[2]);
+  added += of_moments(m, m * r, m * r * r.transpose());
+}
+
 Matrix6d BodyDrag::resistance() const
 {
-  // a sphere's velocity is v + omega x r
-  Matrix6d R;
-  R.topLeftCorner<3, 3>() = K * Matrix3d::Identity();
-  R.bottomLeftCorner<3, 3>() = cross_matrix(Kr);
-  R.topRightCorner<3, 3>() = -cross_matrix(Kr);
-  R.bottomRightCorner<3, 3>() = Krr.trace() * Matrix3d::Identity() - Krr;
-  return R;
+  return of_moments(K, Kr, Krr);
 }
 
 void DragStep::set(const BodyDrag &drag, double mass, const double *inertia, double dt)
@@ -62,10 +73,19 @@ void DragStep::set(const BodyDrag &drag, double mass, const double *inertia, dou
   Vector6d inverse;
   inverse.head<3>().setConstant(1.0 / mass);
   for (int k = 0; k < 3; k++) inverse[k + 3] = inertia[k] > 0 ? 1.0 / inertia[k] : 0.0;
-  const Matrix6d B = dt * R * inverse.asDiagonal();
   const Matrix6d one = Matrix6d::Identity();
-  const Matrix6d B2 = B * B;
   Map<Matrix6d> H(response);
+
+  if (!drag.added.isZero(0)) {
+    // M (M + N)^-1 = (1 + N M^-1)^-1, which also holds for what does not turn
+    const Matrix6d share = (one + drag.added * inverse.asDiagonal()).inverse();
+    const Matrix6d B = dt * R * inverse.asDiagonal() * share;
+    H = share * (one + B + 0.5 * B * B).partialPivLu().solve(one + 0.5 * B) - one;
+    return;
+  }
+
+  const Matrix6d B = dt * R * inverse.asDiagonal();
+  const Matrix6d B2 = B * B;
   H = (one + B + 0.5 * B2).partialPivLu().solve(-0.5 * (B + B2));
 }
 
@@ -124,6 +144,13 @@ double sphere_drag(double K, double u, double v, double other, double m, double 
   const double a = K * dt / m;
   const double phi = relaxation_factor(a);
   return phi * K * (u - v) + (phi - 1.0) * other;
+}
+
+double sphere_force(double K, double u, double v, double load, double other, double m,
+                    double added, double dt)
+{
+  const double push = load + other;
+  return m / (m + added) * (push + sphere_drag(K, u, v, push, m + added, dt)) - other;
 }
 
 }  // namespace LAMMPS_NS

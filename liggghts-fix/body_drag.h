@@ -20,10 +20,15 @@ struct BodyDrag {
   Eigen::Matrix3d Krr = Eigen::Matrix3d::Zero();     ///< sum of K r r^T [kg m2/s], body axes
   Eigen::Vector3d push = Eigen::Vector3d::Zero();    ///< sum of p = K u + f [N], space axes
   Eigen::Matrix3d lever = Eigen::Matrix3d::Zero();   ///< sum of r p^T [N m], body by space axes
+  Matrix6d added = Matrix6d::Zero();                 ///< added inertia [kg, kg m, kg m2], body axes
 
   /// Adds a sphere at r [m] from the centre of mass, in body axes: drag coefficient
   /// K [kg/s], fluid velocity u [m/s] and explicit force f [N] in space axes.
   void add_sphere(const double *r, double K, const double *u, const double *f);
+
+  /// Adds the added mass m [kg] of a sphere at r [m] from the centre of mass, in
+  /// body axes: a force -m dv/dt on it. The turning of r within a step is left out.
+  void add_mass(const double *r, double m);
 
   /// Resistance about the centre of mass [kg/s, kg m/s, kg m2/s] in body axes: the
   /// drag of fluid at rest on a body of velocity and spin y is -R y.
@@ -51,6 +56,10 @@ struct DragStep {
   /// solution; e is the fluid's wrench at the step's start. With B = dt R M^-1 its
   /// mean is e + H (other + e), H = -(1 + B + B^2/2)^-1 (B/2) (1 + B), and H does
   /// not change in body axes. Steady motion is exact for any dt.
+  ///
+  /// With added inertia N the change of motion is that of inertia M + N, and the
+  /// fluid's mean wrench what M does not take of it: H = G - 1 with
+  /// G = M (M + N)^-1 (1 + B + B^2/2)^-1 (1 + B/2), B = dt R (M + N)^-1.
   void wrench(const double *ex, const double *ey, const double *ez, const double *v,
               const double *L, const double *inertia, const double *force,
               const double *torque, double *fluidForce, double *fluidTorque) const;
@@ -59,6 +68,11 @@ struct DragStep {
 /// Mean drag force per component over a step on a sphere of mass m [kg] that
 /// moves with v and is pushed by `other`: F = K (u - v) solved exactly over dt.
 double sphere_drag(double K, double u, double v, double other, double m, double dt);
+
+/// The same with explicit force load [N] and added mass [kg]: mean of all that the
+/// fluid does, load + K (u - v) - added dv/dt.
+double sphere_force(double K, double u, double v, double load, double other, double m,
+                    double added, double dt);
 
 /// The factor (1 - exp(-a))/a, accurate for small a.
 double relaxation_factor(double a);

@@ -32,7 +32,7 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
   interval_(0), dt_(0.), idle_(false), opened_(-1), pending_(false), check_limit_(true),
   warned_(false), exchanges_(0),
-  bodies_(NULL), fluid_(NULL), listed_(-1), last_time_(0.)
+  bodies_(NULL), fluid_(NULL), more_(NULL), movers_(0), listed_(-1), last_time_(0.)
 {
   parse(narg,arg);
   given_[0] = given_[1] = given_[2] = 0.;
@@ -56,6 +56,7 @@ FixCoupleFoam::~FixCoupleFoam()
   if (FixMultisphereClump *bodies = dynamic_cast<FixMultisphereClump*>(ms)) bodies->uncouple();
   atom->delete_callback(id,0);
   memory->destroy(fluid_);
+  memory->destroy(more_);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -137,6 +138,10 @@ void FixCoupleFoam::init()
     error->all(FLERR,"Fix couple/foam: works with run_style verlet, not with respa");
   if (bodies_) bodies_->couple();
 
+  movers_ = 0;
+  for (int i = 0; i < modify->nfix; i++)
+    if (!strncmp(modify->fix[i]->style,"nve",3)) movers_ |= modify->fix[i]->groupbit;
+
   check_order();
 }
 
@@ -154,6 +159,22 @@ void FixCoupleFoam::check_order()
          !strncmp(other->style,"wall/",5) || !strncmp(other->style,"spring",6)))
       error->all(FLERR,(std::string("Fix couple/foam: must stand below 'fix ") + other->id + " " +
                         other->style + "' in the script, since the drag needs its force").c_str());
+  }
+}
+
+/* ----------------------------------------------------------------------
+   added mass scales the sum of all forces on a free sphere
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::check_last()
+{
+  for (int i = modify->find_fix(id) + 1; i < modify->nfix; i++) {
+    Fix *other = modify->fix[i];
+    if ((other->setmask() & POST_FORCE) && strncmp(other->style,"property/",9) &&
+        strncmp(other->style,"multisphere",11))
+      error->all(FLERR,(std::string("Fix couple/foam: the CFD half has added mass, which takes part of all other "
+                        "forces: 'fix ") + other->id + " " + other->style +
+                        "' must stand above it in the script").c_str());
   }
 }
 
@@ -239,7 +260,7 @@ clay::DemTerms FixCoupleFoam::terms()
   t.particles = nall;
 
   t.offers = {Field::position, Field::radius, Field::volume, Field::velocity, Field::tag,
-              Field::body, Field::impulse, Field::mass};
+              Field::body, Field::impulse, Field::mass, Field::spin};
   t.needs = {Field::dragCoefficient, Field::fluidVelocity};
   return t;
 }
@@ -265,6 +286,13 @@ void FixCoupleFoam::open()
   }
   sent_ = clay::Particles(session_->sends());
   answer_ = clay::Particles(session_->receives());
+
+  const clay::FieldSet &gets = session_->receives();
+  if (gets.has(Field::addedMass)) check_last();
+  if (!more_ && (gets.has(Field::addedMass) || gets.has(Field::turnCoefficient))) {
+    memory->create(more_,atom->nmax,(int) MORE,"couple/foam:more");
+    for (int i = 0; i < atom->nmax; i++) std::fill(more_[i],more_[i] + MORE,0.);
+  }
 }
 
 /* ---------------------------------------------------------------------- */

@@ -59,6 +59,8 @@ class FixCoupleFoam : public Fix {
  private:
   // what is kept of the fluid, per sphere; FORCE and IMPULSE of free ones only
   enum { DRAG = 0, VELOCITY = 1, LOAD = 4, FORCE = 7, IMPULSE = 10, SLOT = 13, SIZE = 14 };
+  // and of free ones, if the CFD half has added mass or torque
+  enum { ADDED = 0, TURN = 1, SPIN = 2, MORE = 5 };
 
   int whole_number(const char *);
   void parse(int, char **);
@@ -74,6 +76,10 @@ class FixCoupleFoam : public Fix {
   void share_impulses();
   void check_finite();
   void apply(bool setupflag);
+  void apply_inertia(bool setupflag);
+  void apply_turn(int i);
+  void check_last();
+  bool moves(int i) const;
   bool free_sphere(int i) const;
   void list_free();
 
@@ -87,6 +93,8 @@ class FixCoupleFoam : public Fix {
   long exchanges_;
   FixMultisphereClump *bodies_;  // null without clumps
   double **fluid_;               // per-atom store
+  double **more_;                // another one; null when it is not needed
+  int movers_;                   // groups that some fix nve integrates
   std::vector<int> free_;        // spheres in no body
   int listed_;                   // local spheres when they were listed; -1 when out of date
   double given_[3];              // impulse given to this rank's particles [N s]

@@ -74,6 +74,8 @@ void FixCoupleFoam::gather()
     if (fields.has(Field::mass)) sent_[Field::mass][slot] = mass;
     if (fields.has(Field::tag)) sent_[Field::tag][slot] = atom->tag[i];
     if (fields.has(Field::body)) sent_[Field::body][slot] = body;
+    if (fields.has(Field::spin))
+      std::copy(atom->omega[i],atom->omega[i] + 3,sent_[Field::spin] + 3*slot);
     if (fields.has(Field::impulse))
       std::copy(impulse,impulse + 3,sent_[Field::impulse] + 3*slot);
   };
@@ -167,6 +169,8 @@ void FixCoupleFoam::take_answer()
   const double *u = answer_[Field::fluidVelocity];
   const double *f = loaded ? answer_[Field::force] : NULL;
   const double none[3] = {0.,0.,0.};
+  const bool weighted = answer_.fields().has(Field::addedMass);
+  const bool turned = answer_.fields().has(Field::turnCoefficient);
 
   auto keep = [&](int i, int slot) {
     fluid_[i][DRAG] = K[slot];
@@ -178,7 +182,15 @@ void FixCoupleFoam::take_answer()
 
   for (int i = 0; i < atom->nlocal; i++) {
     const int slot = fluid_[i][SLOT];
-    if (slot >= 0) keep(i,slot);
+    if (slot < 0) continue;
+    keep(i,slot);
+    // what no fix moves does not accelerate
+    if (weighted) more_[i][ADDED] = moves(i) ? answer_[Field::addedMass][slot] : 0.;
+    if (turned) {
+      more_[i][TURN] = moves(i) ? answer_[Field::turnCoefficient][slot] : 0.;
+      const double *spin = answer_[Field::fluidSpin] + 3*slot;
+      std::copy(spin,spin + 3,more_[i] + SPIN);
+    }
   }
   if (!bodies_) return;
 
@@ -193,6 +205,7 @@ void FixCoupleFoam::take_answer()
   for (const auto &s : spheres_) {
     keep(s.atom,slot);
     drag[s.body].add_sphere(s.r,K[slot],u + 3*slot,loaded ? f + 3*slot : none);
+    if (weighted) drag[s.body].add_mass(s.r,answer_[Field::addedMass][slot]);
     slot++;
   }
   for (size_t b = 0; b < drag.size(); b++) bodies_->set_drag(b,drag[b]);
@@ -212,6 +225,10 @@ void FixCoupleFoam::apply(bool setupflag)
   double **f = atom->f;
 
   if (listed_ != atom->nlocal) list_free();
+  if (more_) {
+    apply_inertia(setupflag);
+    return;
+  }
   for (int i : free_) {
     double *s = fluid_[i];
     for (int k = 0; k < 3; k++) {
@@ -222,6 +239,42 @@ void FixCoupleFoam::apply(bool setupflag)
       f[i][k] += force;
     }
   }
+}
+
+/* ----------------------------------------------------------------------
+   the same with added mass and torque: the sphere's own inertia m gets what it
+   needs to be as fast as m + added would be under all other forces
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::apply_inertia(bool setupflag)
+{
+  const double dt = update->dt;
+  for (int i : free_) {
+    double *s = fluid_[i], *v = atom->v[i], *f = atom->f[i];
+    for (int k = 0; k < 3; k++) {
+      const double force = sphere_force(s[DRAG],s[VELOCITY+k],v[k],s[LOAD+k],f[k],
+                                        atom->rmass[i],more_[i][ADDED],dt);
+      if (!setupflag) s[IMPULSE+k] += 0.5*dt*(s[FORCE+k] + force);
+      s[FORCE+k] = force;
+      f[k] += force;
+    }
+    if (more_[i][TURN] > 0.) apply_turn(i);
+  }
+}
+
+void FixCoupleFoam::apply_turn(int i)
+{
+  const double r = atom->radius[i], inertia = 0.4*atom->rmass[i]*r*r;
+  for (int k = 0; k < 3; k++)
+    atom->torque[i][k] += sphere_drag(more_[i][TURN],more_[i][SPIN+k],atom->omega[i][k],
+                                      atom->torque[i][k],inertia,update->dt);
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool FixCoupleFoam::moves(int i) const
+{
+  return atom->mask[i] & movers_;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -238,35 +291,42 @@ void FixCoupleFoam::list_free()
 
 double FixCoupleFoam::memory_usage()
 {
-  return atom->nmax*SIZE*sizeof(double);
+  return atom->nmax*(SIZE + (more_ ? (int) MORE : 0))*sizeof(double);
 }
 
 void FixCoupleFoam::grow_arrays(int nmax)
 {
   memory->grow(fluid_,nmax,(int) SIZE,"couple/foam:fluid");
+  if (more_) memory->grow(more_,nmax,(int) MORE,"couple/foam:more");
 }
 
 void FixCoupleFoam::copy_arrays(int i, int j, int)
 {
   std::copy(fluid_[i],fluid_[i] + SIZE,fluid_[j]);
+  if (more_) std::copy(more_[i],more_[i] + MORE,more_[j]);
 }
 
 void FixCoupleFoam::set_arrays(int i)
 {
   std::fill(fluid_[i],fluid_[i] + SIZE,0.);
   fluid_[i][SLOT] = -1;
+  if (more_) std::fill(more_[i],more_[i] + MORE,0.);
 }
 
 int FixCoupleFoam::pack_exchange(int i, double *buf)
 {
   std::copy(fluid_[i],fluid_[i] + SIZE,buf);
-  return SIZE;
+  if (!more_) return SIZE;
+  std::copy(more_[i],more_[i] + MORE,buf + SIZE);
+  return SIZE + MORE;
 }
 
 int FixCoupleFoam::unpack_exchange(int nlocal, double *buf)
 {
   std::copy(buf,buf + SIZE,fluid_[nlocal]);
-  return SIZE;
+  if (!more_) return SIZE;
+  std::copy(buf + SIZE,buf + SIZE + MORE,more_[nlocal]);
+  return SIZE + MORE;
 }
 
 /* ----------------------------------------------------------------------

@@ -220,3 +220,73 @@ TEST(BodyDrag, LeavesABodyWithoutInertiaUnturned)
   EXPECT_TRUE(w.allFinite());
   EXPECT_NEAR(w[1], sphere_drag(1e-4, 0.1, 0, 0, 1e-5, 1e-2), 2e-3 * w[1]);
 }
+
+TEST(SphereForce, IsExactWithAddedMassForAnyStepAndAnyDensity)
+{
+  // (m + a) dv/dt = load + K (u - v) + other; the fluid's part is m dv/dt - other
+  const double K = 2e-4, u = 0.3, load = 5e-5, v0 = -0.1;
+  for (double m : {0.0, 1e-9, 1e-7, 1e-5})
+    for (double dt : {1e-7, 1e-4, 1e-2, 1.0}) {
+      const double added = 2e-6, other = -9.81 * m, vinf = u + (load + other) / K;
+      const double v = vinf + (v0 - vinf) * std::exp(-K * dt / (m + added));
+      const double force = sphere_force(K, u, v0, load, other, m, added, dt);
+      EXPECT_NEAR(other + force, m * (v - v0) / dt, 1e-12 * K) << "m " << m << " dt " << dt;
+    }
+}
+
+TEST(SphereForce, WithoutAddedMassIsLoadAndDrag)
+{
+  EXPECT_NEAR(sphere_force(2e-4, 0.3, 0.1, 1e-5, -3e-5, 1e-6, 0, 1e-3),
+              1e-5 + sphere_drag(2e-4, 0.3, 0.1, -2e-5, 1e-6, 1e-3), 1e-18);
+}
+
+TEST(BodyDrag, WithAddedMassAcceleratesAsTheSumOfTheInertias)
+{
+  // no drag: M dy/dt = M (M + N)^-1 (other + push), however the body is turned
+  const double place[3][3] = {{2e-3, 1e-3, 0}, {-1e-3, 0, 3e-3}, {0, -2e-3, -1e-3}};
+  const double a[3] = {2e-4, 4e-4, 1e-4}, f[3] = {1e-4, -3e-4, 2e-4};
+  for (double m : {1e-6, 1e-4, 1e-2}) {
+    BodyDrag d;
+    Body body{m, m * Vector3d(1e-6, 3e-6, 2e-6)};
+    body.axes = Eigen::AngleAxisd(1.1, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
+    Matrix6d N = Matrix6d::Zero();
+    Vector6d other;
+    other << 1e-4, -2e-4, 1e-5, 1e-7, 2e-7, -3e-7;
+    Vector6d push = other;
+    for (int n = 0; n < 3; ++n) {
+      d.add_sphere(place[n], 0, none, f);
+      d.add_mass(place[n], a[n]);
+      const Vector3d r = body.axes * Vector3d(place[n][0], place[n][1], place[n][2]);
+      Matrix3d S;
+      S << 0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0;
+      Eigen::Matrix<double, 3, 6> J;  // of the sphere's velocity
+      J << Matrix3d::Identity(), -S;
+      N += a[n] * J.transpose() * J;
+      push += J.transpose() * Vector3d(f[0], f[1], f[2]);
+    }
+    Matrix6d turn = Matrix6d::Zero();
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = body.axes;
+    const Matrix6d M = turn * mass_of(body.m, body.I) * turn.transpose();
+    const Vector6d expected = M * (M + N).fullPivLu().solve(push) - other;
+    const Vector6d w = body.wrench(d, other, 1e-4);
+    EXPECT_LT((w - expected).head<3>().norm(), 1e-10 * expected.head<3>().norm()) << m;
+    EXPECT_LT((w - expected).tail<3>().norm(), 1e-10 * expected.tail<3>().norm()) << m;
+  }
+}
+
+TEST(BodyDrag, WithAddedMassRelaxesExactlyToSecondOrder)
+{
+  // a sphere as a body: v = u (1 - exp(-K t/(m + a))), also when m << a
+  const double K = 1e-4, m = 1e-7, a = 5e-6, u[3] = {0.2, 0, 0};
+  BodyDrag d;
+  d.add_sphere(none, K, u, none);
+  d.add_mass(none, a);
+  const double t = 0.1;
+  auto error = [&](int steps) {
+    Body body = a_body(m, 1e-13);
+    for (int n = 0; n < steps; ++n) body.march(d, Vector6d::Zero(), t / steps);
+    return std::fabs(body.y[0] - 0.2 * -std::expm1(-K * t / (m + a)));
+  };
+  EXPECT_LT(error(64), 1e-4 * 0.2);
+  EXPECT_NEAR(error(64) / error(128), 4, 0.3);
+}

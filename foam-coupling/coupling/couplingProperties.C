@@ -153,6 +153,7 @@ void Foam::couplingProperties::checkEntries() const
     addCoeffs(dragModel::dictionaryConstructorTablePtr_->sortedToc());
     addCoeffs(voidFractionModel::dictionaryConstructorTablePtr_->sortedToc());
     addCoeffs(smoothingModel::dictionaryConstructorTablePtr_->sortedToc());
+    addCoeffs(forceModel::dictionaryConstructorTablePtr_->sortedToc());
 
     for (const entry& e : *this)
     {
@@ -207,6 +208,20 @@ void Foam::couplingProperties::checkForces() const
                 << " once" << exit(FatalIOError);
         }
         seen.append(force);
+    }
+
+    for
+    (
+        const word& force
+      : forceModel::dictionaryConstructorTablePtr_->sortedToc()
+    )
+    {
+        if (!has(force) && found(force + "Coeffs"))
+        {
+            FatalIOErrorInFunction(*this)
+                << "unknown entry " << force << "Coeffs; forceModels are "
+                << listed(forces_).c_str() << exit(FatalIOError);
+        }
     }
 
     if (!modelA_ && has("pressureGradient"))

@@ -143,18 +143,33 @@ void Foam::momentumLedger::setSources
     const dispersedParticles& p,
     const scalarField& K,
     const vectorField& force,
+    const scalarField& added,
     const smoothingModel& smoothing
 )
 {
     spread(p, K, K_);
     spread(p, p.mass, mass_);
-    spread(p, force, reaction_);
+    if (added.size())
+    {
+        added_.setSize(mass_.size());
+        spread(p, added, added_);
+        spread(p, vectorField(p.mass/(p.mass + added)*force), reaction_);
+    }
+    else
+    {
+        added_ = Zero;
+        spread(p, force, reaction_);
+    }
     spread(p, vectorField(K*p.velocity), velocity_);
 
     if (smoothing.active())
     {
         smoothing.smooth(K_);
         smoothing.smooth(mass_);
+        if (added_.size())
+        {
+            smoothing.smooth(added_);
+        }
         smooth(smoothing, reaction_);
         smooth(smoothing, velocity_);
     }
@@ -172,6 +187,32 @@ void Foam::momentumLedger::setSources
         }
     }
     reaction_ *= -1;
+}
+
+
+Foam::scalarField Foam::momentumLedger::follow
+(
+    const volScalarField& n,
+    const scalar addedDensity
+) const
+{
+    const scalar Cm = addedDensity/rho_;
+    scalarField part(mass_.size(), 1);
+
+    forAll(part, celli)
+    {
+        const scalar f = 1 - n[celli];
+        const scalar answer =
+            rho_*f*f/n[celli]*(1 + Cm/n[celli] + Cm);
+        const scalar inertia =
+            mass_[celli] + f*addedDensity + K_[celli]*interval_;
+
+        if (mass_[celli] > VSMALL && 4*answer > inertia)
+        {
+            part[celli] = inertia/(4*answer);
+        }
+    }
+    return part;
 }
 
 
@@ -208,7 +249,7 @@ void Foam::momentumLedger::prepare(const scalar dt)
         const scalar m = mass_[celli];
         Sp[celli] =
             m > VSMALL
-          ? -m*std::expm1(-K_[celli]*dt/m)/(rho_*dt)
+          ? -m*std::expm1(-K_[celli]*dt/inertia(celli))/(rho_*dt)
           : 0;
 
         F[celli] =
@@ -235,7 +276,7 @@ void Foam::momentumLedger::record(const volVectorField& U, const scalar dt)
         {
             velocity_[celli] =
                 Uc
-              + (velocity_[celli] - Uc)*exp(-K_[celli]*dt/mass_[celli]);
+              + (velocity_[celli] - Uc)*exp(-K_[celli]*dt/inertia(celli));
         }
     }
 }

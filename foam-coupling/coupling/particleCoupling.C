@@ -125,6 +125,19 @@ clay::CfdTerms Foam::particleCoupling::terms() const
     {
         Field::dragCoefficient, Field::fluidVelocity, Field::force
     };
+    if (forces_.needsSpin())
+    {
+        t.needs.add(Field::spin);
+    }
+    if (forces_.addedDensity() > 0)
+    {
+        t.offers.add(Field::addedMass);
+    }
+    if (forces_.turns())
+    {
+        t.offers.add(Field::turnCoefficient);
+        t.offers.add(Field::fluidSpin);
+    }
     return t;
 }
 
@@ -196,7 +209,7 @@ Foam::particleCoupling::particleCoupling
     smoothing_(smoothingModel::New(properties_, mesh_)),
     ddtType_(properties_.ddt(mapping_->smooth() || smoothing_->active())),
     sumShared_(sharedSum()),
-    forces_(properties_, sumShared_),
+    forces_(properties_, sumShared_, rho_),
     ledger_(mesh_, rho_),
     history_(mesh_),
     gradP_

@@ -26,6 +26,11 @@ void Foam::particleCoupling::take()
     vectors(Field::position, p.position);
     vectors(Field::velocity, p.velocity);
     vectors(Field::impulse, p.impulse);
+    if (received_.fields().has(Field::spin))
+    {
+        p.spin.setSize(p.size());
+        vectors(Field::spin, p.spin);
+    }
 
     forAll(p.tag, i)
     {
@@ -159,7 +164,17 @@ void Foam::particleCoupling::exchangeMomentum()
         ledger_.residual(vector(impulse[0], impulse[1], impulse[2]))
     );
 
-    forces_.evaluate(p, fluid, history_.mapped(), nu_);
+    const bool weighted = forces_.addedDensity() > 0;
+    forces_.evaluate
+    (
+        p,
+        fluid,
+        history_.mapped(),
+        nu_,
+        weighted
+      ? ledger_.follow(history_.mapped(), forces_.addedDensity())
+      : scalarField()
+    );
 
     // the owner tells the other ranks that hold a part of the particle
     if (Pstream::parRun())
@@ -185,7 +200,14 @@ void Foam::particleCoupling::exchangeMomentum()
         }
     }
 
-    ledger_.setSources(p, forces_.K, forces_.reacting, smoothing_());
+    ledger_.setSources
+    (
+        p,
+        forces_.K,
+        forces_.reacting,
+        forces_.addedMass,
+        smoothing_()
+    );
 }
 
 
@@ -214,6 +236,15 @@ void Foam::particleCoupling::answer()
         }
         put(Field::fluidVelocity, i, forces_.u[i]);
         put(Field::force, i, forces_.reacting[i] + forces_.hydrostatic[i]);
+        if (forces_.addedMass.size())
+        {
+            answers_[Field::addedMass][i] = forces_.addedMass[i];
+        }
+        if (forces_.turn.size())
+        {
+            answers_[Field::turnCoefficient][i] = forces_.turn[i];
+            put(Field::fluidSpin, i, forces_.fluidSpin[i]);
+        }
     }
 
     session_->report(stats_.momentumResidual);

@@ -2,6 +2,7 @@
 
 #include "particleForces.H"
 
+#include "fvc.H"
 #include "interpolation.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -99,23 +100,124 @@ Foam::volVectorField Foam::particleForces::density
 }
 
 
+void Foam::particleForces::damp
+(
+    volVectorField& density,
+    const scalarField& part
+)
+{
+    if (!(addedDensity_ > 0))
+    {
+        return;
+    }
+
+    if (!sent_)
+    {
+        sent_.reset
+        (
+            new volVectorField
+            (
+                IOobject
+                (
+                    "particleForceSent",
+                    density.mesh().time().timeName(),
+                    density.mesh(),
+                    IOobject::READ_IF_PRESENT,
+                    IOobject::AUTO_WRITE
+                ),
+                density
+            )
+        );
+    }
+    else if (part.size())
+    {
+        vectorField& f = sent_->primitiveFieldRef();
+        f += part*(density.primitiveField() - f);
+        sent_->correctBoundaryConditions();
+    }
+    else
+    {
+        *sent_ == density;
+    }
+
+    density == *sent_;
+}
+
+
+void Foam::particleForces::evaluateMore
+(
+    const dispersedParticles& p,
+    const fluidState& fluid,
+    const scalarField& fraction,
+    const scalar nu
+)
+{
+    vectorField vorticity;
+    if (vorticity_)
+    {
+        volVectorField curl("vorticity", fvc::curl(fluid.U));
+        curl.correctBoundaryConditions();
+        vorticity = sample(curl, p);
+    }
+
+    const particleSurroundings around
+    {
+        u, fraction, vorticity, nu, fluid.rho
+    };
+    for (const forceModel& force : forces_)
+    {
+        force.act(p, around, reacting);
+    }
+
+    if (addedDensity_ > 0)
+    {
+        addedMass = addedDensity_*p.volume;
+    }
+
+    if (turn_)
+    {
+        turn.setSize(p.size());
+        turn = 0;
+        for (const forceModel& force : forces_)
+        {
+            forAll(turn, i)
+            {
+                turn[i] += force.turnCoefficient(nu*fluid.rho, 2*p.radius[i]);
+            }
+        }
+        fluidSpin = 0.5*vorticity;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::particleForces::particleForces
 (
     const couplingProperties& properties,
-    const voidFractionModel::sharedSum& sumShared
+    const voidFractionModel::sharedSum& sumShared,
+    const scalar rho
 )
 :
     properties_(properties),
     sumShared_(sumShared),
     drag_(dragModel::New(properties)),
     forces_(properties.forces().size()),
+    vorticity_(false),
+    spin_(false),
+    turn_(false),
+    addedDensity_(0),
     reynoldsMax_(0)
 {
     forAll(forces_, i)
     {
         forces_.set(i, forceModel::New(properties.forces()[i], properties));
+
+        const forceModel& force = forces_[i];
+        vorticity_ = vorticity_ || force.needsVorticity();
+        spin_ = spin_ || force.needsSpin();
+        turn_ = turn_ || force.turnCoefficient(1, 1) > 0;
+        addedDensity_ += force.addedDensity(rho);
     }
 }
 
@@ -137,9 +239,14 @@ void Foam::particleForces::evaluate
     const dispersedParticles& p,
     const fluidState& fluid,
     const volScalarField& n,
-    const scalar nu
+    const scalar nu,
+    const scalarField& part
 )
 {
+    for (forceModel& force : forces_)
+    {
+        force.prepare(fluid);
+    }
     velocity(p, fluid.U);
     const scalarField fraction(sample(n, p));
 
@@ -170,7 +277,9 @@ void Foam::particleForces::evaluate
     }
     if (anyReacting)
     {
-        reacting = p.volume*sample(density(fluid, true), p);
+        volVectorField f(density(fluid, true));
+        damp(f, part);
+        reacting = p.volume*sample(f, p);
     }
     else
     {
@@ -178,6 +287,11 @@ void Foam::particleForces::evaluate
         reacting = Zero;
     }
     hydrostatic = hydrostaticForces(p, fluid);
+
+    if (vorticity_ || turn_ || addedDensity_ > 0)
+    {
+        evaluateMore(p, fluid, fraction, nu);
+    }
 }
 
 

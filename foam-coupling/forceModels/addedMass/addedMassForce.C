@@ -1,0 +1,83 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "addedMassForce.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "fvc.H"
+#include "modelCoeffs.H"
+#include "zeroGradientFvPatchFields.H"
+
+namespace Foam
+{
+namespace forceModels
+{
+    defineTypeNameAndDebug(addedMass, 0);
+    addToRunTimeSelectionTable(forceModel, addedMass, dictionary);
+}
+}
+
+
+Foam::forceModels::addedMass::addedMass(const dictionary& dict)
+:
+    Cm_
+    (
+        modelCoeffs(dict, typeName, {"Cm"})
+       .lookupOrDefault<scalar>("Cm", 0.5)
+    ),
+    lastTime_(0)
+{
+    if (!(Cm_ > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "addedMassCoeffs: Cm " << Cm_ << " must be above 0; a sphere"
+            << " alone has 0.5" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::forceModels::addedMass::prepare(const fluidState& fluid)
+{
+    const fvMesh& mesh = fluid.U.mesh();
+    const scalar now = mesh.time().value();
+
+    if (!DUDt_)
+    {
+        DUDt_.reset
+        (
+            new volVectorField
+            (
+                IOobject
+                (
+                    "DUDt",
+                    mesh.time().timeName(),
+                    mesh,
+                    IOobject::READ_IF_PRESENT,
+                    IOobject::AUTO_WRITE
+                ),
+                mesh,
+                dimensionedVector(dimAcceleration, Zero),
+                zeroGradientFvPatchVectorField::typeName
+            )
+        );
+    }
+    else if (now > lastTime_)
+    {
+        DUDt_->primitiveFieldRef() =
+            (fluid.U.primitiveField() - lastU_)/(now - lastTime_)
+          + (fluid.U & fvc::grad(fluid.U))().primitiveField();
+        DUDt_->correctBoundaryConditions();
+    }
+
+    lastU_ = fluid.U.primitiveField();
+    lastTime_ = now;
+}
+
+
+void Foam::forceModels::addedMass::add
+(
+    const fluidState& fluid,
+    vectorField& force
+) const
+{
+    force += Cm_*fluid.rho*DUDt_->primitiveField();
+}

@@ -1,8 +1,8 @@
 /* ----------------------------------------------------------------------
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
-   The contact model hooke/stiffness with tangential history of pair_style
-   gran, in a loop of its own. All else, from settings to restart, is gran's.
+   The contact models hooke/stiffness and hooke with tangential history of
+   pair_style gran, in a loop of its own. All else, from settings to restart, is gran's.
 ------------------------------------------------------------------------- */
 
 #ifdef PAIR_CLASS
@@ -47,9 +47,11 @@ class PairGranLean : public PairGranProxy {
   void seek_pairs();
   clay::ContactLaw law(int i, int j) const;
 
-  bool tangential_damping_, absolute_damping_, limit_force_;
+  bool modulus_given_;              // model hooke: stiffness from Young's modulus
+  bool tangential_damping_, absolute_damping_, limit_force_, softer_;
   bool flags_read_;                 // somebody reads from the lists which pairs touch
   double **kn_, **kt_, **gamman_, **gammat_, **friction_;
+  double **modulus_, **restitution_log_, speed_;  // of model hooke
 
   clay::ContactPairs pairs_;
   std::vector<double *> kept_;      // where gran keeps each pair's displacement

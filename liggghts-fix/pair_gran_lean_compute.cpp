@@ -48,14 +48,27 @@ clay::ContactLaw PairGranLean::law(int i, int j) const
   double moving = mi*mj/(mi + mj);
   if (atom->mask[i] & freeze_group_bit()) moving = mj;
   if (atom->mask[j] & freeze_group_bit()) moving = mi;
-  if (absolute_damping_) moving = 1.0;
 
   clay::ContactLaw law;
+  law.friction = friction_[a][b];
+  if (modulus_given_) {
+    // 16/15 sqrt(R) Y (15 m v^2/(16 sqrt(R) Y))^(1/5), as gran has it; the
+    // damping that gives the coefficient of restitution
+    const double ri = atom->radius[i], rj = atom->radius[j];
+    const double hard = sqrt(ri*rj/(ri + rj))*modulus_[a][b];
+    const double k = 16.0/15.0*hard*pow(15.0*moving*speed_*speed_/(16.0*hard),0.2);
+    const double e2 = restitution_log_[a][b]*restitution_log_[a][b];
+    law.kn = k/force->nktv2p;
+    law.kt = softer_ ? 0.285714286*law.kn : law.kn;
+    law.gamman = sqrt(4.0*moving*k*e2/(e2 + M_PI*M_PI));
+    law.gammat = tangential_damping_ ? law.gamman : 0.0;
+    return law;
+  }
+  if (absolute_damping_) moving = 1.0;
   law.kn = kn_[a][b]/force->nktv2p;
   law.kt = kt_[a][b]/force->nktv2p;
   law.gamman = moving*gamman_[a][b];
   law.gammat = tangential_damping_ ? moving*gammat_[a][b] : 0.0;
-  law.friction = friction_[a][b];
   return law;
 }
 

@@ -133,6 +133,28 @@ TEST(PairGranLean, absoluteDamping)
               1e-12, "absolute_damping");
 }
 
+namespace {
+
+const std::string modulus =
+    "fix y all property/global youngsModulus peratomtype 2.5e7 1e7\n"
+    "fix p all property/global poissonsRatio peratomtype 0.45 0.3\n"
+    "fix e all property/global coefficientRestitution peratomtypepair 2 0.8 0.6 0.6 0.4\n"
+    "fix c all property/global coefficientFriction peratomtypepair 2 0.3 0.2 0.2 0.1\n"
+    "fix v all property/global characteristicVelocity scalar 0.1\n";
+
+}  // namespace
+
+// stiffness and damping from Young's modulus and restitution
+TEST(PairGranLean, modulusAndRestitution)
+{
+  for (const std::string more : {"", "tangential_damping off", "limitForce on", "ktToKnUser on"})
+    expect_same(box() + modulus + "pair_style gran model hooke tangential history " + more + "\npair_coeff * *\n" +
+                spheres(220, 13) + "timestep 1e-6\nrun 20\n", 1e-12, "hooke " + more);
+  expect_same(box() + modulus + "pair_style gran model hooke tangential history\npair_coeff * *\n"
+              "fix floor all wall/gran model hooke tangential history primitive type 1 zplane 0.\n" +
+              spheres(120, 14) + "neighbor 0.0001 bin\ntimestep 5e-6\nrun 1000\n", 1e-8, "hooke, 1000 steps");
+}
+
 // The lists are built anew and the spheres roll and slide; a thousand steps of
 // collisions multiply what rounding there is.
 TEST(PairGranLean, historyOverThousandSteps)

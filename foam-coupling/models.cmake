@@ -20,6 +20,8 @@ set(CLAYFOAM_MODEL_SOURCES
   dragModels/DiFelice/DiFelice.C
   dragModels/Beetstra/Beetstra.C
   dragModels/KochHill/KochHill.C
+  dragModels/WenYu/WenYu.C
+  dragModels/Ergun/Ergun.C
   smoothingModels/smoothingModel/smoothingModel.C
   smoothingModels/none/noSmoothing.C
   smoothingModels/diffusion/diffusionSmoothing.C)
@@ -30,7 +32,7 @@ set(CLAYFOAM_MODEL_INCLUDE_DIRS
   voidFractionModels/divided voidFractionModels/exactOverlap
   dragModels/dragModel dragModels/ergunWenYu dragModels/ergunWenYuBlended
   dragModels/SchillerNaumann dragModels/Gidaspow dragModels/DiFelice
-  dragModels/Beetstra dragModels/KochHill
+  dragModels/Beetstra dragModels/KochHill dragModels/WenYu dragModels/Ergun
   smoothingModels/smoothingModel smoothingModels/none smoothingModels/diffusion)
 set(CLAYFOAM_MODEL_DIR ${CMAKE_CURRENT_LIST_DIR})
 list(TRANSFORM CLAYFOAM_MODEL_INCLUDE_DIRS PREPEND ${CLAYFOAM_MODEL_DIR}/)

@@ -37,6 +37,8 @@ TEST(dragModel, closedColumnTable)
     const auto wenYu = law("ergunWenYu");
     const auto blended = law("ergunWenYuBlended");
     const auto gidaspow = law("Gidaspow");
+    const auto alone = law("WenYu");
+    const auto bed = law("Ergun");
     const auto diFelice = law("DiFelice");
     const auto beetstra = law("Beetstra");
     const auto kochHill = law("KochHill");
@@ -52,7 +54,9 @@ TEST(dragModel, closedColumnTable)
         // the table has five decimals
         const scalar eps = 1.1e-5;
 
+        EXPECT_NEAR(settling(*alone, n), value(1), eps) << phi;
         EXPECT_NEAR(settling(*diFelice, n), value(2), eps) << phi;
+        EXPECT_NEAR(settling(*bed, n), value(3), eps) << phi;
         EXPECT_NEAR(settling(*gidaspow, n), value(4), eps) << phi;
         EXPECT_NEAR(settling(*beetstra, n), value(5), eps) << phi;
         EXPECT_NEAR(settling(*kochHill, n), value(6), eps) << phi;
@@ -166,7 +170,12 @@ TEST(dragModel, valuesByHand)
         {"KochHill", 0.9, 0, 41.1627},
         // F3 = 0.0673 + 0.0212 + 0.0232/0.59049 = 0.127790, Re 10
         {"KochHill", 0.9, 10, 50.4785},
-        {"KochHill", 1, 0, 18}
+        {"KochHill", 1, 0, 18},
+        // as Gidaspow's branches
+        {"Ergun", 0.9, 10, 36.1111},
+        {"Ergun", 0.5, 100, 500},
+        {"WenYu", 0.9, 10, 41.1600},
+        {"WenYu", 0.5, 0, 112.9801}
     };
 
     for (const entry& e : entries)
@@ -184,7 +193,7 @@ TEST(dragModel, units)
     for (const char* name :
         {
             "ergunWenYu", "ergunWenYuBlended", "SchillerNaumann", "Gidaspow",
-            "DiFelice", "Beetstra", "KochHill"
+            "DiFelice", "Beetstra", "KochHill", "WenYu"
         })
     {
         const auto m = law(name);

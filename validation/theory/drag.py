@@ -54,6 +54,12 @@ def wen_yu(n, slip, d, nu, rho, exponent=-2.7, newton_cd=0.43):
     return stokes(d, nu, rho) * n**exponent * sphere(re, newton_cd)
 
 
+def wen_yu_everywhere(n, slip, d, nu, rho):
+    """Wen and Yu's law as the solver's WenYu has it: n^-2.65 at any n,
+    C_D = 0.44 above Re = 1000."""
+    return wen_yu(n, slip, d, nu, rho, -2.65, 0.44)
+
+
 def ergun_wen_yu(n, slip, d, nu, rho):
     """Eqs 8 to 10 to the letter, with their jump at n = 0.8."""
     return np.where(n < 0.8, ergun(n, slip, d, nu, rho),
@@ -127,6 +133,8 @@ LAWS = {
     "DiFelice": di_felice,
     "Beetstra": beetstra,
     "KochHill": koch_hill,
+    "WenYu": wen_yu_everywhere,
+    "Ergun": ergun,
 }
 
 #: Solid fractions at which a law jumps.

@@ -18,6 +18,8 @@ class DragLawTest(unittest.TestCase):
 
     def test_lone_sphere_in_stokes_flow(self):
         for name, law in drag.LAWS.items():
+            if name == "Ergun":  # knows no sphere alone
+                continue
             share = law(1.0, 1e-14, 1e-3, 1e-6, 1e3) / drag.stokes(1e-3, 1e-6,
                                                                    1e3)
             expected = 0.96 if name == "DiFelice" else 1.0
@@ -67,8 +69,7 @@ class DragLawTest(unittest.TestCase):
     def test_settling_of_every_law_against_table(self):
         data = tables.read("hindered_settling_by_drag_law_formula.csv")
         laws = {
-            "v_WenYu": lambda *a: drag.wen_yu(*a, exponent=-2.65),
-            "v_Ergun": drag.ergun, "v_DiFelice": "DiFelice",
+            "v_WenYu": "WenYu", "v_Ergun": "Ergun", "v_DiFelice": "DiFelice",
             "v_Gidaspow": "Gidaspow", "v_Beetstra": "Beetstra",
             "v_KochHill": "KochHill"}
         for column, law in laws.items():

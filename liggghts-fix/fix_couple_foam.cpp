@@ -14,6 +14,7 @@
 #include "coupling_report.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_brownian.h"
 #include "fix_gravity.h"
 #include "force.h"
 #include "memory.h"
@@ -32,7 +33,7 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
   interval_(0), dt_(0.), idle_(false), opened_(-1), pending_(false), check_limit_(true),
   warned_(false), exchanges_(0),
-  bodies_(NULL), fluid_(NULL), more_(NULL), movers_(0), listed_(-1), last_time_(0.)
+  bodies_(NULL), thermal_(NULL), fluid_(NULL), more_(NULL), movers_(0), listed_(-1), last_time_(0.)
 {
   parse(narg,arg);
   given_[0] = given_[1] = given_[2] = 0.;
@@ -137,6 +138,7 @@ void FixCoupleFoam::init()
   if (strstr(update->integrate_style,"respa"))
     error->all(FLERR,"Fix couple/foam: works with run_style verlet, not with respa");
   if (bodies_) bodies_->couple();
+  thermal_ = dynamic_cast<FixBrownian*>(modify->find_fix_style("brownian",0));
 
   movers_ = 0;
   for (int i = 0; i < modify->nfix; i++)
@@ -156,7 +158,8 @@ void FixCoupleFoam::check_order()
     Fix *other = modify->fix[i];
     if ((other->setmask() & POST_FORCE) && !strstr(other->style,"property/") &&
         (!strncmp(other->style,"gravity",7) || !strncmp(other->style,"addforce",8) ||
-         !strncmp(other->style,"wall/",5) || !strncmp(other->style,"spring",6)))
+         !strncmp(other->style,"wall/",5) || !strncmp(other->style,"spring",6) ||
+         !strncmp(other->style,"lubrication",11) || !strncmp(other->style,"brownian",8)))
       error->all(FLERR,(std::string("Fix couple/foam: must stand below 'fix ") + other->id + " " +
                         other->style + "' in the script, since the drag needs its force").c_str());
   }
@@ -264,6 +267,10 @@ clay::DemTerms FixCoupleFoam::terms()
   t.needs = {Field::dragCoefficient, Field::fluidVelocity};
   return t;
 }
+
+/* ---------------------------------------------------------------------- */
+
+double FixCoupleFoam::fluid_viscosity() const { return session_ ? session_->peer().fluidViscosity : 0.; }
 
 /* ----------------------------------------------------------------------
    handshake, at the first run; a further run goes on from there

@@ -45,6 +45,10 @@ class FixCoupleFoam : public Fix {
   void write_restart(FILE *);
   void restart(char *);
 
+  /// Of the fluid at the start of the run [Pa s]; of atom i, as last answered [kg/s].
+  double fluid_viscosity() const;
+  double drag_coefficient(int i) const { return fluid_[i][DRAG]; }
+
   double memory_usage();
   void grow_arrays(int);
   void copy_arrays(int, int, int);
@@ -92,6 +96,7 @@ class FixCoupleFoam : public Fix {
   bool warned_;                  // of the contacts there are
   long exchanges_;
   FixMultisphereClump *bodies_;  // null without clumps
+  class FixBrownian *thermal_;   // null without random forces
   double **fluid_;               // per-atom store
   double **more_;                // another one; null when it is not needed
   int movers_;                   // groups that some fix nve integrates

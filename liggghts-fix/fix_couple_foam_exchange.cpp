@@ -16,6 +16,7 @@
 #include "coupling_report.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_brownian.h"
 #include "memory.h"
 #include "session.h"
 #include "update.h"
@@ -230,9 +231,10 @@ void FixCoupleFoam::apply(bool setupflag)
     return;
   }
   for (int i : free_) {
-    double *s = fluid_[i];
+    double *s = fluid_[i], random[3] = {0.,0.,0.};
+    if (thermal_) thermal_->kick(i,s[DRAG],random);
     for (int k = 0; k < 3; k++) {
-      const double load = s[LOAD+k];
+      const double load = s[LOAD+k] + random[k];
       const double force = load + sphere_drag(s[DRAG],s[VELOCITY+k],v[i][k],f[i][k] + load,atom->rmass[i],dt);
       if (!setupflag) s[IMPULSE+k] += 0.5*dt*(s[FORCE+k] + force);
       s[FORCE+k] = force;

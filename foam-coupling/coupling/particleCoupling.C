@@ -211,7 +211,7 @@ Foam::particleCoupling::particleCoupling
     sumShared_(sharedSum()),
     forces_(properties_, sumShared_, rho_),
     ledger_(mesh_, rho_),
-    history_(mesh_),
+    history_(U_),
     gradP_
     (
         IOobject

@@ -3,7 +3,9 @@
 #include "voidFractionHistory.H"
 
 #include "calculatedFvPatchFields.H"
+#include "fixedValueFvPatchFields.H"
 #include "fvc.H"
+#include "wallFvPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -61,24 +63,47 @@ bool Foam::voidFractionHistory::saved(const fvMesh& mesh)
 }
 
 
+Foam::wordList Foam::voidFractionHistory::patchTypes(const volVectorField& U)
+{
+    wordList types
+    (
+        U.boundaryField().size(),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    forAll(types, patchi)
+    {
+        const fvPatchVectorField& Up = U.boundaryField()[patchi];
+        if
+        (
+            Up.fixesValue() && !Up.assignable()
+         && !isA<wallFvPatch>(Up.patch())
+        )
+        {
+            types[patchi] = fixedValueFvPatchScalarField::typeName;
+        }
+    }
+    return types;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::voidFractionHistory::voidFractionHistory(const fvMesh& mesh)
+Foam::voidFractionHistory::voidFractionHistory(const volVectorField& U)
 :
-    mesh_(mesh),
+    mesh_(U.mesh()),
     n_
     (
         IOobject
         (
             "voidfraction",
-            mesh.time().timeName(),
-            mesh,
+            mesh_.time().timeName(),
+            mesh_,
             IOobject::READ_IF_PRESENT,
             IOobject::AUTO_WRITE
         ),
-        mesh,
+        mesh_,
         dimensionedScalar("one", dimless, 1),
-        zeroGradientFvPatchScalarField::typeName
+        patchTypes(U)
     ),
     old_("voidfractionOld", n_),
     mapped_("voidfractionMapped", n_),
@@ -86,12 +111,12 @@ Foam::voidFractionHistory::voidFractionHistory(const fvMesh& mesh)
     end_(n_.primitiveField()),
     ddt_
     (
-        IOobject("ddtVoidfraction", mesh.time().timeName(), mesh),
-        mesh,
+        IOobject("ddtVoidfraction", mesh_.time().timeName(), mesh_),
+        mesh_,
         dimensionedScalar(dimless/dimTime, Zero),
         calculatedFvPatchScalarField::typeName
     ),
-    fresh_(!saved(mesh)),
+    fresh_(!saved(mesh_)),
     lastInterval_(0),
     solidVolume_(-1)
 {}

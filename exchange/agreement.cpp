@@ -123,6 +123,10 @@ std::string fields(const DemTerms& dem, const CfdTerms& cfd) {
   if (!cfdLacks.empty())
     return "the CFD half needs " + list(cfdLacks) + ", the DEM half offers only " +
            list(dem.offers);
+  const FieldSet strange = dem.brings.without(cfd.accepts);
+  if (!strange.empty())
+    return "the DEM half brings " + list(strange) + ", which the CFD half has no use for" +
+           (cfd.accepts.empty() ? "" : "; it accepts only " + list(cfd.accepts));
   const FieldSet demLacks = dem.needs.without(cfd.offers);
   if (!demLacks.empty())
     return "the DEM half needs " + list(demLacks) + ", the CFD half offers only " +

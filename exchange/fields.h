@@ -23,6 +23,8 @@ enum class Field : unsigned {
   impulse,          ///< impulse received from the fluid since the last exchange [N s], 3
   mass,             ///< mass it stands for [kg], 1
   spin,             ///< angular velocity [rad/s], 3
+  dragDiameter,     ///< diameter in the drag law, of its clump [m], 1
+  dragFactor,       ///< its clump's drag alone over Stokes' with that diameter, 0 for a free sphere, 1
   // CFD to DEM
   dragCoefficient,  ///< K in F = K (u - v) [kg/s], 1
   fluidVelocity,    ///< u in F = K (u - v) [m/s], 3

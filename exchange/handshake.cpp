@@ -102,7 +102,10 @@ std::vector<Box> receiveBoxes() {
 }
 
 FieldSet stateFields(const BothTerms& both) {
-  return both.cfd.needs;
+  FieldSet set = both.cfd.needs;
+  for (unsigned i = 0; i < fieldCount; ++i)
+    if (both.dem.brings.has(static_cast<Field>(i))) set.add(static_cast<Field>(i));
+  return set;
 }
 
 FieldSet answerFields(const BothTerms& both) {

@@ -35,7 +35,7 @@ class DemSession {
   ~DemSession();
 
   const CfdTerms& peer() const;
-  /// Fields the CFD half needs: those and no others are sent.
+  /// Fields the CFD half needs or this one brings: those and no others are sent.
   const FieldSet& sends() const;
   /// Fields of the answer.
   const FieldSet& receives() const;

@@ -78,7 +78,9 @@ std::string encode(const DemTerms& t) {
               {"particles", t.particles},
               {"maxRadius", t.maxRadius},
               {"offers", t.offers.names()},
-              {"needs", t.needs.names()}}
+              {"brings", t.brings.names()},
+              {"needs", t.needs.names()},
+              {"clumpDrag", t.clumpDrag}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -92,6 +94,7 @@ std::string encode(const CfdTerms& t) {
          {"box", text(t.box)},
          {"overlap", t.overlap},
          {"needs", t.needs.names()},
+         {"accepts", t.accepts.names()},
          {"offers", t.offers.names()}};
   if (t.endTime) j["endTime"] = *t.endTime;
   if (t.couplingInterval) j["couplingInterval"] = *t.couplingInterval;
@@ -111,7 +114,9 @@ DemTerms decodeDem(const std::string& s) {
     t.particles = j.at("particles").get<long>();
     t.maxRadius = number(j.at("maxRadius"));
     t.offers = fields(j.at("offers"));
+    t.brings = fields(j.at("brings"));
     t.needs = fields(j.at("needs"));
+    t.clumpDrag = j.at("clumpDrag").get<std::string>();
   });
 }
 
@@ -123,6 +128,7 @@ CfdTerms decodeCfd(const std::string& s) {
     t.box = box(j.at("box"));
     t.overlap = j.at("overlap").get<bool>();
     t.needs = fields(j.at("needs"));
+    t.accepts = fields(j.at("accepts"));
     t.offers = fields(j.at("offers"));
     if (j.contains("endTime")) t.endTime = number(j["endTime"]);
     if (j.contains("couplingInterval")) t.couplingInterval = number(j["couplingInterval"]);

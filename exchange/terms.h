@@ -14,7 +14,7 @@
 namespace clay {
 
 /// Both halves must speak the same version of the wire.
-constexpr int wireVersion = 1;
+constexpr int wireVersion = 2;
 
 /// Raised, on every rank of both halves, when the halves do not fit.
 class Refusal : public std::runtime_error {
@@ -36,7 +36,9 @@ struct DemTerms {
   long particles = 0;               ///< number of particles in the coupled group
   double maxRadius = 0;             ///< [m]
   FieldSet offers;                  ///< fields it can send
+  FieldSet brings;                  ///< fields it sends though they are not needed; its settings ask for them
   FieldSet needs;                   ///< fields it must get
+  std::string clumpDrag;            ///< how the drag of clumps is found; empty without clumps
 };
 
 /// What the CFD half states.
@@ -52,6 +54,7 @@ struct CfdTerms {
   Box box;                                       ///< bounds of the whole mesh [m]
   bool overlap = true;                           ///< both halves march at the same time
   FieldSet needs;                                ///< fields it must get
+  FieldSet accepts;                              ///< fields it can use when they are brought
   FieldSet offers;                               ///< fields it can send
 };
 

@@ -97,6 +97,8 @@ TEST(Text, BringsTheDemTermsBackBitByBit) {
   t.program = "a \"quoted\" name \xff";
   t.step = 1. / 3e5;
   t.endTime = 0.1 + 0.2;
+  t.brings = {Field::dragFactor};
+  t.clumpDrag = "resistance";
   const DemTerms u = clay::decodeDem(clay::encode(t));
   EXPECT_EQ(u.step, t.step);
   EXPECT_EQ(u.interval, t.interval);
@@ -109,13 +111,16 @@ TEST(Text, BringsTheDemTermsBackBitByBit) {
   EXPECT_EQ(u.particles, t.particles);
   EXPECT_EQ(u.maxRadius, t.maxRadius);
   EXPECT_EQ(u.offers, t.offers);
+  EXPECT_EQ(u.brings, t.brings);
   EXPECT_EQ(u.needs, t.needs);
+  EXPECT_EQ(u.clumpDrag, t.clumpDrag);
 }
 
 TEST(Text, BringsTheCfdTermsBackWithWhatIsNotStated) {
   CfdTerms t = peers::cfdTerms();
   t.gravity = {{0, 0, -9.81}};
   t.overlap = false;
+  t.accepts = {Field::dragDiameter, Field::dragFactor};
   const CfdTerms u = clay::decodeCfd(clay::encode(t));
   EXPECT_FALSE(u.endTime.has_value());
   EXPECT_FALSE(u.couplingInterval.has_value());
@@ -125,6 +130,7 @@ TEST(Text, BringsTheCfdTermsBackWithWhatIsNotStated) {
   EXPECT_EQ(u.fluidDensity, t.fluidDensity);
   EXPECT_EQ(u.fluidViscosity, t.fluidViscosity);
   EXPECT_EQ(u.needs, t.needs);
+  EXPECT_EQ(u.accepts, t.accepts);
   t.endTime = 0.7;
   t.couplingInterval = 2e-4;
   const CfdTerms v = clay::decodeCfd(clay::encode(t));
@@ -136,7 +142,8 @@ TEST(Text, OfTheWrongHalfOrOfNoHalfIsRefused) {
   EXPECT_THROW(clay::decodeDem(clay::encode(peers::cfdTerms())), clay::Refusal);
   EXPECT_THROW(clay::decodeCfd(clay::encode(peers::demTerms())), clay::Refusal);
   EXPECT_THROW(clay::decodeDem("hello"), clay::Refusal);
-  EXPECT_THROW(clay::decodeDem("{\"half\":\"DEM\",\"wire\":1}"), clay::Refusal);
+  EXPECT_THROW(clay::decodeDem("{\"half\":\"DEM\",\"wire\":" +
+                               std::to_string(clay::wireVersion) + "}"), clay::Refusal);
 }
 
 TEST(Text, KeepsAValueThatIsNoNumber) {
@@ -164,7 +171,7 @@ TEST_F(Agreement, Fits) {
 }
 
 TEST_F(Agreement, OfVersions) {
-  cfd.wire = 2;
+  cfd.wire = clay::wireVersion + 1;
   EXPECT_TRUE(says(line(), "1 in the DEM half (test DEM), 2 in the CFD half (test CFD)"));
   EXPECT_TRUE(says(clay::disagreement(dem, clay::decodeCfd(clay::encode(cfd))), "versions"));
 }
@@ -225,6 +232,19 @@ TEST_F(Agreement, OfFields) {
   cfd.offers = {Field::dragCoefficient};
   EXPECT_TRUE(says(line(),
                    "the DEM half needs fluidVelocity, the CFD half offers only dragCoefficient"));
+}
+
+TEST_F(Agreement, OfFieldsThatAreBrought) {
+  dem.brings = {Field::dragDiameter, Field::dragFactor};
+  EXPECT_TRUE(says(line(), "brings dragDiameter, dragFactor, which the CFD half has no use for"));
+  cfd.accepts = {Field::dragFactor};
+  EXPECT_TRUE(says(line(), "no use for; it accepts only dragFactor"));
+  cfd.accepts.add(Field::dragDiameter);
+  EXPECT_EQ(line(), "");
+  clay::FieldSet all = cfd.needs;
+  all.add(Field::dragDiameter);
+  all.add(Field::dragFactor);
+  EXPECT_EQ(clay::stateFields({dem, cfd}), all);
 }
 
 TEST_F(Agreement, NeedsSoundNumbers) {

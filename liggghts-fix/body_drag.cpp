@@ -44,7 +44,7 @@ void BodyDrag::add_sphere(const double *r_, double K_, const double *u, const do
   lever += r * p.transpose();
 }
 
-void BodyDrag::add_mass(const double *r_, double m)
+void AddedInertia::add_mass(const double *r_, double m)
 {
   const Vector3d r(r_[0], r_[1], r_[2]);
   added += of_moments(m, m * r, m * r * r.transpose());
@@ -53,6 +53,27 @@ void BodyDrag::add_mass(const double *r_, double m)
 Matrix6d BodyDrag::resistance() const
 {
   return of_moments(K, Kr, Krr);
+}
+
+Matrix6d body_response(const Matrix6d &R, const Matrix6d &added, double mass,
+                       const double *inertia, double dt)
+{
+  // what has no inertia does not turn
+  Vector6d inverse;
+  inverse.head<3>().setConstant(1.0 / mass);
+  for (int k = 0; k < 3; k++) inverse[k + 3] = inertia[k] > 0 ? 1.0 / inertia[k] : 0.0;
+  const Matrix6d one = Matrix6d::Identity();
+
+  if (!added.isZero(0)) {
+    // M (M + N)^-1 = (1 + N M^-1)^-1, which also holds for what does not turn
+    const Matrix6d share = (one + added * inverse.asDiagonal()).inverse();
+    const Matrix6d B = dt * R * inverse.asDiagonal() * share;
+    return share * (one + B + 0.5 * B * B).partialPivLu().solve(one + 0.5 * B) - one;
+  }
+
+  const Matrix6d B = dt * R * inverse.asDiagonal();
+  const Matrix6d B2 = B * B;
+  return (one + B + 0.5 * B2).partialPivLu().solve(-0.5 * (B + B2));
 }
 
 void DragStep::set(const BodyDrag &drag, double mass, const double *inertia, double dt)
@@ -68,25 +89,7 @@ void DragStep::set(const BodyDrag &drag, double mass, const double *inertia, dou
     push[k] = drag.push[k];
     for (int j = 0; j < 3; j++) lever[3 * k + j] = drag.lever(k, j);
   }
-
-  // what has no inertia does not turn
-  Vector6d inverse;
-  inverse.head<3>().setConstant(1.0 / mass);
-  for (int k = 0; k < 3; k++) inverse[k + 3] = inertia[k] > 0 ? 1.0 / inertia[k] : 0.0;
-  const Matrix6d one = Matrix6d::Identity();
-  Map<Matrix6d> H(response);
-
-  if (!drag.added.isZero(0)) {
-    // M (M + N)^-1 = (1 + N M^-1)^-1, which also holds for what does not turn
-    const Matrix6d share = (one + drag.added * inverse.asDiagonal()).inverse();
-    const Matrix6d B = dt * R * inverse.asDiagonal() * share;
-    H = share * (one + B + 0.5 * B * B).partialPivLu().solve(one + 0.5 * B) - one;
-    return;
-  }
-
-  const Matrix6d B = dt * R * inverse.asDiagonal();
-  const Matrix6d B2 = B * B;
-  H = (one + B + 0.5 * B2).partialPivLu().solve(-0.5 * (B + B2));
+  Map<Matrix6d>(response) = body_response(R, drag.added, mass, inertia, dt);
 }
 
 void DragStep::wrench(const double *ex, const double *ey, const double *ez, const double *v,

@@ -11,29 +11,37 @@ namespace LAMMPS_NS {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
+/// Added inertia of a rigid body, summed over its spheres.
+struct AddedInertia {
+  Matrix6d added = Matrix6d::Zero();  ///< [kg, kg m, kg m2], body axes
+
+  /// Adds the added mass m [kg] of a sphere at r [m] from the centre of mass, in
+  /// body axes: a force -m dv/dt on it. The turning of r within a step is left out.
+  void add_mass(const double *r, double m);
+};
+
 /// What the fluid does to a rigid body over a coupling interval, summed over
 /// its spheres. The spheres' places are in body axes, where they do not move,
 /// what the fluid does to each is in space axes.
-struct BodyDrag {
+struct BodyDrag : AddedInertia {
   double K = 0;                                      ///< sum of K [kg/s]
   Eigen::Vector3d Kr = Eigen::Vector3d::Zero();      ///< sum of K r [kg m/s], body axes
   Eigen::Matrix3d Krr = Eigen::Matrix3d::Zero();     ///< sum of K r r^T [kg m2/s], body axes
   Eigen::Vector3d push = Eigen::Vector3d::Zero();    ///< sum of p = K u + f [N], space axes
   Eigen::Matrix3d lever = Eigen::Matrix3d::Zero();   ///< sum of r p^T [N m], body by space axes
-  Matrix6d added = Matrix6d::Zero();                 ///< added inertia [kg, kg m, kg m2], body axes
 
   /// Adds a sphere at r [m] from the centre of mass, in body axes: drag coefficient
   /// K [kg/s], fluid velocity u [m/s] and explicit force f [N] in space axes.
   void add_sphere(const double *r, double K, const double *u, const double *f);
 
-  /// Adds the added mass m [kg] of a sphere at r [m] from the centre of mass, in
-  /// body axes: a force -m dv/dt on it. The turning of r within a step is left out.
-  void add_mass(const double *r, double m);
-
   /// Resistance about the centre of mass [kg/s, kg m/s, kg m2/s] in body axes: the
   /// drag of fluid at rest on a body of velocity and spin y is -R y.
   Matrix6d resistance() const;
 };
+
+/// H of DragStep::wrench, for the resistance R about the centre of mass.
+Matrix6d body_response(const Matrix6d &R, const Matrix6d &added, double mass,
+                       const double *inertia, double dt);
 
 /// A BodyDrag made ready for many steps of one length; all of it in doubles, so
 /// that it can travel with a body. Body axes, but for the push.

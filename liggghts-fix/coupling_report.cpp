@@ -164,6 +164,7 @@ void CouplingReport::finish(const clay::DemSession &session, int interval)
   j["max_overlap_over_d"] = worst[4];
   j["settings"] = {{"timestep_s",update->dt}, {"coupling_interval_steps",interval},
                    {"coupling_interval_s",update->dt*interval}};
+  for (const auto &s : settings_) j["settings"][s.first] = s.second;
   j["warnings"] = warnings_;
 
   std::ofstream out(file_);

@@ -5,6 +5,7 @@
 #define LMP_COUPLING_REPORT_H
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pointers.h"
@@ -26,6 +27,9 @@ class CouplingReport : protected Pointers {
   /// Marks the end of a run and writes dem.json.
   void finish(const clay::DemSession &session, int interval);
 
+  /// A setting for dem.json.
+  void setting(const std::string &name, const std::string &value) { settings_.push_back({name, value}); }
+
   /// A warning for the screen, the log and dem.json.
   void warn(const std::string &text);
 
@@ -39,6 +43,7 @@ class CouplingReport : protected Pointers {
   double began_, last_line_, wall_, output_;
   long steps_, particles_;
   double start_time_, overlap_;
+  std::vector<std::pair<std::string,std::string>> settings_;
   std::vector<std::string> warnings_;
 };
 

@@ -11,6 +11,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "contact_check.h"
+#include "coupled_clumps.h"
 #include "coupling_report.h"
 #include "domain.h"
 #include "error.h"
@@ -77,6 +78,7 @@ int FixCoupleFoam::whole_number(const char *text)
 void FixCoupleFoam::parse(int narg, char **arg)
 {
   std::string stats;
+  std::string law, drag = "sphereSum";
   double seconds = 1.0;
 
   int iarg = 3;
@@ -93,15 +95,37 @@ void FixCoupleFoam::parse(int narg, char **arg)
         error->all(FLERR,("Fix couple/foam: contact_limit is '" + value +
                           "'; yes or no is wanted").c_str());
       check_limit_ = value == "yes";
-    } else
+    } else if (key == "clumpDrag") drag = value;
+    else if (key == "shapeLaw") law = value;
+    else
       error->all(FLERR,("Fix couple/foam: unknown keyword '" + key + "'; known are "
-                        "every, stats, progress, contact_limit").c_str());
+                        "every, stats, progress, contact_limit, clumpDrag, shapeLaw").c_str());
     iarg += 2;
   }
   if (interval_ < 1)
     error->all(FLERR,"Fix couple/foam: 'every N' is missing; "
                      "N is the number of DEM steps between two exchanges");
   report_.reset(new CouplingReport(lmp,stats,seconds));
+  parse_clump_drag(drag,law);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::parse_clump_drag(const std::string &drag, const std::string &law)
+{
+  std::string what = "clumpDrag is ";
+  try {
+    if (clay::clumpDragKind(drag) == clay::ClumpDragKind::resistance) {
+      what = "shapeLaw: ";
+      clumps_.reset(new CoupledClumps(lmp,clay::shapeLaw(law.empty() ? "tranCong" : law)));
+    }
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR,("Fix couple/foam: " + what + e.what()).c_str());
+  }
+  if (!clumps_ && !law.empty())
+    error->all(FLERR,"Fix couple/foam: shapeLaw belongs to clumpDrag resistance, which is not set");
+  report_->setting("clump_drag",drag);
+  if (clumps_) report_->setting("shape_law",law.empty() ? "tranCong" : law);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -138,6 +162,9 @@ void FixCoupleFoam::init()
   if (strstr(update->integrate_style,"respa"))
     error->all(FLERR,"Fix couple/foam: works with run_style verlet, not with respa");
   if (bodies_) bodies_->couple();
+  if (clumps_ && !bodies_)
+    error->all(FLERR,"Fix couple/foam: clumpDrag resistance: there are no clumps; 'fix multisphere/clump' makes them");
+  if (clumps_) clumps_->init(bodies_);
   thermal_ = dynamic_cast<FixBrownian*>(modify->find_fix_style("brownian",0));
 
   movers_ = 0;
@@ -264,6 +291,8 @@ clay::DemTerms FixCoupleFoam::terms()
 
   t.offers = {Field::position, Field::radius, Field::volume, Field::velocity, Field::tag,
               Field::body, Field::impulse, Field::mass, Field::spin};
+  if (clumps_) t.brings = {Field::dragDiameter, Field::dragFactor};
+  if (bodies_) t.clumpDrag = clay::name(clumps_ ? clay::ClumpDragKind::resistance : clay::ClumpDragKind::sphereSum);
   t.needs = {Field::dragCoefficient, Field::fluidVelocity};
   return t;
 }
@@ -293,6 +322,7 @@ void FixCoupleFoam::open()
   }
   sent_ = clay::Particles(session_->sends());
   answer_ = clay::Particles(session_->receives());
+  if (clumps_) clumps_->fluid(session_->peer().fluidViscosity,session_->peer().fluidDensity);
 
   const clay::FieldSet &gets = session_->receives();
   if (gets.has(Field::addedMass)) check_last();

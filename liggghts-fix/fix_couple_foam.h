@@ -26,6 +26,7 @@ namespace clay { class DemSession; struct DemTerms; }
 
 namespace LAMMPS_NS {
 
+class CoupledClumps;
 class CouplingReport;
 
 class FixCoupleFoam : public Fix {
@@ -68,6 +69,7 @@ class FixCoupleFoam : public Fix {
 
   int whole_number(const char *);
   void parse(int, char **);
+  void parse_clump_drag(const std::string &, const std::string &);
   void check_interval();
   void check_order();
   void check_contact_limit();
@@ -77,6 +79,7 @@ class FixCoupleFoam : public Fix {
   void send(bool last);
   void take_answer();
   void gather();
+  void tell_clumps(int slot);
   void share_impulses();
   void check_finite();
   void apply(bool setupflag);
@@ -97,6 +100,7 @@ class FixCoupleFoam : public Fix {
   long exchanges_;
   FixMultisphereClump *bodies_;  // null without clumps
   class FixBrownian *thermal_;   // null without random forces
+  std::unique_ptr<CoupledClumps> clumps_;  // null when the drag is the sum over spheres
   double **fluid_;               // per-atom store
   double **more_;                // another one; null when it is not needed
   int movers_;                   // groups that some fix nve integrates

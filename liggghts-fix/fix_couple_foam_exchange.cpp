@@ -13,6 +13,7 @@
 #include "atom.h"
 #include "body_drag.h"
 #include "comm.h"
+#include "coupled_clumps.h"
 #include "coupling_report.h"
 #include "domain.h"
 #include "error.h"
@@ -93,13 +94,29 @@ void FixCoupleFoam::gather()
     }
   }
 
+  if (clumps_)
+    for (Field f : {Field::dragDiameter, Field::dragFactor})
+      std::fill(sent_[f],sent_[f] + nfree,0.);
+
   if (spheres_.empty() && comm->nprocs == 1) return;
   share_impulses();
+  if (clumps_) tell_clumps(nfree);
   int slot = nfree;
   for (size_t n = 0; n < spheres_.size(); n++) {
     const auto &s = spheres_[n];
     put(slot++,s.atom,s.fraction*bodies_->body_volume(s.body),
         s.fraction*bodies_->body_mass(s.body),bodies_->data().tag(s.body),&shares_[3*n]);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::tell_clumps(int slot)
+{
+  clumps_->prepare();
+  for (const auto &s : spheres_) {
+    sent_[Field::dragDiameter][slot] = clumps_->diameter(s.body);
+    sent_[Field::dragFactor][slot++] = clumps_->factor(s.body);
   }
 }
 
@@ -201,15 +218,24 @@ void FixCoupleFoam::take_answer()
       if (i >= atom->nlocal || bodies_->belongs_to(i) >= 0)
         std::fill(fluid_[i] + DRAG,fluid_[i] + FORCE,0.);
 
-  std::vector<BodyDrag> drag(bodies_->n_body());
-  int slot = sent_.size() - spheres_.size();
-  for (const auto &s : spheres_) {
-    keep(s.atom,slot);
-    drag[s.body].add_sphere(s.r,K[slot],u + 3*slot,loaded ? f + 3*slot : none);
-    if (weighted) drag[s.body].add_mass(s.r,answer_[Field::addedMass][slot]);
-    slot++;
+  auto sum = [&](auto &bodies) {
+    int slot = sent_.size() - spheres_.size();
+    for (const auto &s : spheres_) {
+      keep(s.atom,slot);
+      bodies[s.body].add_sphere(s.r,K[slot],u + 3*slot,loaded ? f + 3*slot : none);
+      if (weighted) bodies[s.body].add_mass(s.r,answer_[Field::addedMass][slot]);
+      slot++;
+    }
+  };
+  if (clumps_) {
+    std::vector<BodyFlow> flow(bodies_->n_body());
+    sum(flow);
+    for (size_t b = 0; b < flow.size(); b++) clumps_->set_flow(b,flow[b]);
+  } else {
+    std::vector<BodyDrag> drag(bodies_->n_body());
+    sum(drag);
+    for (size_t b = 0; b < drag.size(); b++) bodies_->set_drag(b,drag[b]);
   }
-  for (size_t b = 0; b < drag.size(); b++) bodies_->set_drag(b,drag[b]);
 
   if (comm->nprocs > 1) comm->reverse_comm_fix(this);
 }

@@ -24,6 +24,7 @@ FixMultisphereClump::FixMultisphereClump(LAMMPS *lmp, int narg, char **arg) :
   quat_(*multisphere_.prop().getElementProperty<VectorContainer<double,4> >("quat")),
   fflag_(*multisphere_.prop().getElementProperty<VectorContainer<bool,3> >("fflag")),
   tflag_(*multisphere_.prop().getElementProperty<VectorContainer<bool,3> >("tflag")),
+  clumptype_(*multisphere_.prop().getElementProperty<ScalarContainer<int> >("clumptype")),
   coupled_(false),
   unsorted_(true), unturned_(true), natoms_(0)
 {
@@ -115,6 +116,34 @@ void FixMultisphereClump::set_drag(int ibody, const BodyDrag &drag)
 
 /* ---------------------------------------------------------------------- */
 
+void FixMultisphereClump::set_flow(int b, const BodyFlow &flow, double scale)
+{
+  stored(b).whole.set(flow,*resistances_[clumptype_(b)],scale,axes(b),multisphere_.mass(b),
+                      inertia_(b),update->dt);
+}
+
+/* ---------------------------------------------------------------------- */
+
+Eigen::Vector3d FixMultisphereClump::slip(int b)
+{
+  return Eigen::Vector3d(stored(b).whole.u) - velocity(b);
+}
+
+/* ---------------------------------------------------------------------- */
+
+Eigen::Matrix3d FixMultisphereClump::axes(int b)
+{
+  Eigen::Matrix3d Q;
+  for (int k = 0; k < 3; k++) {
+    Q(k,0) = ex_(b)[k];
+    Q(k,1) = ey_(b)[k];
+    Q(k,2) = ez_(b)[k];
+  }
+  return Q;
+}
+
+/* ---------------------------------------------------------------------- */
+
 void FixMultisphereClump::couple()
 {
   if (CAdd_ != 0.)
@@ -128,6 +157,7 @@ void FixMultisphereClump::couple()
 void FixMultisphereClump::uncouple()
 {
   coupled_ = false;
+  resistances_.clear();
   for (int b = 0; b < multisphere_.n_body(); b++) stored(b).owner = 0.0;
 }
 

@@ -18,6 +18,7 @@ FixStyle(multisphere/clump,FixMultisphereClump)
 #include <vector>
 
 #include "body_drag.h"
+#include "body_resistance.h"
 #include "body_spheres.h"
 #include "fix_multisphere.h"
 
@@ -47,6 +48,22 @@ class FixMultisphereClump : public FixMultisphere {
   /// Takes the fluid's action on a body, until it is given anew.
   void set_drag(int ibody, const BodyDrag &drag);
 
+  /// From now on set_flow() is called in place of set_drag(): the resistance for
+  /// unit viscosity of each clump type, about the centre of mass in body axes.
+  void set_resistances(const std::vector<const Matrix6d *> &by_type) { resistances_ = by_type; }
+
+  /// Takes what a body's spheres see of the fluid; scale [Pa s] is that of its resistance.
+  void set_flow(int ibody, const BodyFlow &flow, double scale);
+
+  /// Whether set_flow() was called for a body, and its slip u - v then or, if not, -v [m/s].
+  bool knows_fluid(int ibody) { return stored(ibody).whole.scale > 0.0; }
+  Eigen::Vector3d slip(int ibody);
+
+  /// Kind of clump, axes as columns, velocity [m/s] of the centre of mass.
+  int clump_type(int ibody) { return clumptype_(ibody); }
+  Eigen::Matrix3d axes(int ibody);
+  Eigen::Vector3d velocity(int ibody) { return Eigen::Vector3d(vcm_(ibody)); }
+
   /// Impulse [N s] the fluid gave to a body since the last call.
   void take_impulse(int ibody, double *impulse);
 
@@ -63,7 +80,10 @@ class FixMultisphereClump : public FixMultisphere {
  private:
   // what is kept of the fluid, per body: it moves with the body
   struct Fluid {
-    DragStep drag;
+    union {
+      DragStep drag;
+      ResistanceStep whole;  // with resistances_
+    };
     double force[3];    // of the last step [N]
     double impulse[3];  // since the last exchange [N s]
     double owner;       // whose it is
@@ -88,8 +108,10 @@ class FixMultisphereClump : public FixMultisphere {
   Vectors &angmom_, &omega_, &inertia_, &ex_, &ey_, &ez_;
   VectorContainer<double,4> &quat_;
   VectorContainer<bool,3> &fflag_, &tflag_;
+  ScalarContainer<int> &clumptype_;
 
   Store *store_;
+  std::vector<const Matrix6d *> resistances_;  // by clump type; none for the sum over spheres
   bool coupled_;
   BodySpheres spheres_;
   bool unsorted_;    // spheres have changed places in memory

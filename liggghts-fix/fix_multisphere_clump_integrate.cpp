@@ -195,7 +195,11 @@ void FixMultisphereClump::apply_drag(int b, bool setupflag)
 {
   Fluid &fluid = stored(b);
   double *force = fcm_(b), *torque = torque_(b), F[3], T[3];
-  fluid.drag.wrench(ex_(b),ey_(b),ez_(b),vcm_(b),angmom_(b),inertia_(b),force,torque,F,T);
+  if (resistances_.empty())
+    fluid.drag.wrench(ex_(b),ey_(b),ez_(b),vcm_(b),angmom_(b),inertia_(b),force,torque,F,T);
+  else
+    fluid.whole.wrench(*resistances_[clumptype_(b)],ex_(b),ey_(b),ez_(b),vcm_(b),angmom_(b),
+                       inertia_(b),force,torque,F,T);
   const double half = 0.5*update->dt;
   for (int k = 0; k < 3; k++) {
     force[k] += F[k];

@@ -121,6 +121,7 @@ clay::CfdTerms Foam::particleCoupling::terms() const
         Field::position, Field::radius, Field::volume, Field::velocity,
         Field::tag, Field::impulse, Field::mass
     };
+    t.accepts = {Field::dragDiameter, Field::dragFactor};
     t.offers =
     {
         Field::dragCoefficient, Field::fluidVelocity, Field::force
@@ -358,6 +359,10 @@ void Foam::particleCoupling::writeStatistics(const dictionary& solverSettings)
     const clay::DemTerms& dem = session_->peer();
     settings.add("couplingInterval", dem.step*dem.interval, true);
     settings.add("gravity", gravity_);
+    if (!dem.clumpDrag.empty())
+    {
+        settings.add("clumpDrag", word(dem.clumpDrag));
+    }
 
     if (stats_.stiffExchanges > 0)
     {

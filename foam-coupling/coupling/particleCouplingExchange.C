@@ -32,6 +32,17 @@ void Foam::particleCoupling::take()
         vectors(Field::spin, p.spin);
     }
 
+    const auto scalars = [&](Field f, scalarField& to)
+    {
+        if (received_.fields().has(f))
+        {
+            to.setSize(p.size());
+            std::copy(received_[f], received_[f] + p.size(), to.begin());
+        }
+    };
+    scalars(Field::dragDiameter, p.dragDiameter);
+    scalars(Field::dragFactor, p.dragFactor);
+
     forAll(p.tag, i)
     {
         p.radius[i] = received_[Field::radius][i];

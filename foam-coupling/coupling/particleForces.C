@@ -257,11 +257,19 @@ void Foam::particleForces::evaluate
         if (p.owned[i])
         {
             const scalar slip = mag(u[i] - p.velocity[i]);
-            const scalar d = 2*p.radius[i];
+            const scalar factor = p.dragFactor.size() ? p.dragFactor[i] : 0;
+            const scalar d = factor > 0 ? p.dragDiameter[i] : 2*p.radius[i];
 
             K[i] =
                 p.volume[i]
-               *drag_->coefficient(fraction[i], slip, d, nu, fluid.rho);
+               *(
+                    factor > 0
+                  ? drag_->bodyCoefficient
+                    (
+                        factor, fraction[i], slip, d, nu, fluid.rho
+                    )
+                  : drag_->coefficient(fraction[i], slip, d, nu, fluid.rho)
+                );
             if (!properties_.modelA())
             {
                 K[i] /= fraction[i];

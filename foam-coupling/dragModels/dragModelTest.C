@@ -117,6 +117,27 @@ TEST(dragModel, measuredSpheres)
 }
 
 
+TEST(dragModel, ofABodyIsItsOwnWhenAloneAndHinderedAsASphere)
+{
+    for (const char* name : {"ergunWenYu", "SchillerNaumann", "Beetstra"})
+    {
+        const auto m = law(name);
+        EXPECT_NEAR(m->bodyCoefficient(1.3, 1, 0.2, 2e-3, 1e-6, 1000)
+           /(1.3*18*1e-3/4e-6), 1, 1e-14) << name;
+        for (const scalar n : {0.5, 0.9})
+        {
+            EXPECT_NEAR
+            (
+                m->bodyCoefficient(1.3, n, 0.2, 2e-3, 1e-6, 1000)
+               *m->coefficient(1, 0.2, 2e-3, 1e-6, 1000),
+                1.3*18*1e-3/4e-6*m->coefficient(n, 0.2, 2e-3, 1e-6, 1000),
+                1e-6*m->coefficient(n, 0.2, 2e-3, 1e-6, 1000)
+            ) << name;
+        }
+    }
+}
+
+
 // Values worked out by hand (four to six figures) from the published formulas
 // with rho = mu = d = 1.
 TEST(dragModel, valuesByHand)

@@ -6,8 +6,8 @@ import os
 
 import numpy as np
 
+import plots
 from coupled import finished, summary
-from plots import compare
 from reference import table
 
 TITLE = "clumps fall along each axis as their Stokes resistance wants it"
@@ -86,15 +86,22 @@ def run(checks):
                      s["settings"]["dem"]["clump_drag"] + " " + s["settings"]["cfd"]["clumpDrag"],
                      "resistance resistance")
 
-    seconds = times / times[-1] * 2e-3
-    series = []
+    picture(checks, os.path.join(folder, "speeds.png"), times / times[-1] * 2, names, ref, speeds, summed, unit)
+
+
+def picture(checks, path, time, names, ref, speeds, summed, unit):
+    """Speeds over that of one sphere, with the reference's ends."""
+    fig, ax = plots.plt.subplots(figsize=(6.4, 4.6))
     for i, name in enumerate(names):
         for axis in "xz"[name == "tetrahedron4":]:
-            body = 3 * i + "xyz".index(axis) + 1
             wanted = ref["N"][i] / ref["F_" + axis][i]
-            series.append((f"{name} {axis}", 1e3 * seconds, speeds[body] / unit, "line"))
-            series.append((None, [0.4, 2], [wanted] * 2, "dashed"))
-    series.append(("sum over spheres, any clump", 1e3 * seconds, summed[15] / unit, "dots"))
-    checks.picture(compare(os.path.join(folder, "speeds.png"), series, "time [ms]",
-                           "speed over that of one sphere",
-                           "Clumps falling along their axes; dashed: clump_stokes_drag_computed"))
+            line, = ax.plot(time, speeds[3 * i + "xyz".index(axis) + 1] / unit)
+            ax.plot([0.5, time[-1]], [wanted] * 2, **plots.STYLES["dashed"])
+            ax.text(2.05, wanted, f"{name}, along {axis}", color=line.get_color(), fontsize=8,
+                    va={"chain3": "bottom", "hexplate7": "center"}.get(name, "top"))
+    ax.plot(time, summed[15] / unit, **plots.STYLES["dots"])
+    ax.text(2.05, 1, "sphereSum, any clump", fontsize=8, va="center")
+    ax.set(xlim=(0, 2.9), xlabel="time [ms]", ylabel="speed over that of one sphere")
+    ax.set_title("Clumps falling along their axes; dashed: clump_stokes_drag_computed", fontsize=9)
+    ax.grid(alpha=0.3)
+    checks.picture(plots.save(fig, path))

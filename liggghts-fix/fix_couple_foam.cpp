@@ -340,6 +340,7 @@ void FixCoupleFoam::setup_pre_force(int)
   opened_ = update->laststep;
   if (idle_) return;
   report_->start();
+  just_created = 0;  // else Modify::setup() calls set_arrays() and the first answer is lost
   open();
   send(false);
   take_answer();

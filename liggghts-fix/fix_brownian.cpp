@@ -98,11 +98,11 @@ void FixBrownian::setup(int vflag) { post_force(vflag); }
 
 /* ---------------------------------------------------------------------- */
 
-void FixBrownian::kick(int i, double K, double *force) const
+void FixBrownian::kick(int i, double K, double *force, int stream) const
 {
   double four[4];
   const double deviation = atom->mask[i] & groupbit ? clay::thermal_force(K,temperature_,update->dt) : 0.;
-  clay::normals(seed_,atom->tag[i],update->ntimestep,0,four);
+  clay::normals(seed_,atom->tag[i],update->ntimestep,stream,four);
   for (int k = 0; k < 3; k++) force[k] = deviation*four[k];
 }
 
@@ -159,11 +159,9 @@ void FixBrownian::relax(int i, double mass, bool turns)
   }
   if (!atom->torque_flag) return;
   const double Kr = 8.*M_PI*viscosity_*r*r*r, inertia = 0.4*mass*r*r;
-  const double deviation = clay::thermal_force(Kr,temperature_,dt);
-  double four[4];
-  clay::normals(seed_,atom->tag[i],update->ntimestep,1,four);
+  kick(i,Kr,random,1);
   for (int k = 0; k < 3; k++) {
-    const double other = atom->torque[i][k] + deviation*four[k];
+    const double other = atom->torque[i][k] + random[k];
     atom->torque[i][k] = other + sphere_drag(Kr,0.,atom->omega[i][k],other,inertia,dt);
   }
 }

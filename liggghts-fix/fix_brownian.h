@@ -27,7 +27,8 @@ class FixBrownian : public Fix {
   void post_force(int);
 
   /// Random force [N] on atom i over this step, for a drag coefficient K [kg/s]; zero outside the group.
-  void kick(int i, double K, double *force) const;
+  /// With stream 1, another one: the couple [N m] for a resistance K [kg m2/s] to turning.
+  void kick(int i, double K, double *force, int stream = 0) const;
 
  private:
   void parse(int, char **);

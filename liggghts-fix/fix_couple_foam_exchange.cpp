@@ -278,9 +278,10 @@ void FixCoupleFoam::apply_inertia(bool setupflag)
 {
   const double dt = update->dt;
   for (int i : free_) {
-    double *s = fluid_[i], *v = atom->v[i], *f = atom->f[i];
+    double *s = fluid_[i], *v = atom->v[i], *f = atom->f[i], random[3] = {0.,0.,0.};
+    if (thermal_) thermal_->kick(i,s[DRAG],random);
     for (int k = 0; k < 3; k++) {
-      const double force = sphere_force(s[DRAG],s[VELOCITY+k],v[k],s[LOAD+k],f[k],
+      const double force = sphere_force(s[DRAG],s[VELOCITY+k],v[k],s[LOAD+k] + random[k],f[k],
                                         atom->rmass[i],more_[i][ADDED],dt);
       if (!setupflag) s[IMPULSE+k] += 0.5*dt*(s[FORCE+k] + force);
       s[FORCE+k] = force;
@@ -293,9 +294,13 @@ void FixCoupleFoam::apply_inertia(bool setupflag)
 void FixCoupleFoam::apply_turn(int i)
 {
   const double r = atom->radius[i], inertia = 0.4*atom->rmass[i]*r*r;
-  for (int k = 0; k < 3; k++)
-    atom->torque[i][k] += sphere_drag(more_[i][TURN],more_[i][SPIN+k],atom->omega[i][k],
-                                      atom->torque[i][k],inertia,update->dt);
+  double random[3] = {0.,0.,0.};
+  if (thermal_) thermal_->kick(i,more_[i][TURN],random,1);
+  for (int k = 0; k < 3; k++) {
+    const double other = atom->torque[i][k] + random[k];
+    atom->torque[i][k] = other + sphere_drag(more_[i][TURN],more_[i][SPIN+k],atom->omega[i][k],
+                                             other,inertia,update->dt);
+  }
 }
 
 /* ---------------------------------------------------------------------- */

@@ -15,14 +15,14 @@ K, MASS = 6 * np.pi * MU * A, 2600 * 4 / 3 * np.pi * A ** 3
 RELAX, D = MASS / K, K_B * T / K
 
 
-def frames(folder):
-    """Rows of the dumps in the order of time: arrays of shape (spheres, columns)."""
+def frames(folder, columns=8):
+    """Rows of the dumps in the order of time: array of shape (times, spheres, columns)."""
     names = glob.glob(os.path.join(folder, "DEM", "spheres.*.dump"))
     names.sort(key=lambda n: int(n.split(".")[-2]))
     found = []
     for name in names:
         with open(name, encoding="utf-8") as f:
-            found.append(np.fromstring(f.read().split("\n", 9)[9], sep=" ").reshape(-1, 8))
+            found.append(np.fromstring(f.read().split("\n", 9)[9], sep=" ").reshape(-1, columns))
     return np.array(found)
 
 
@@ -54,6 +54,18 @@ def run(checks):
         times = np.arange(1, len(f)) * steps * dt
         square = [np.mean((f[k:, :, 1:4] - f[:-k, :, 1:4]) ** 2) for k in range(1, len(f))]
         curves += [(name, times / RELAX, np.array(square) / (2 * D * RELAX), "dots")]
+    # through both programs: K is what the CFD half's drag law says, in a fluid that gets every reaction
+    folder = coupled.finished("brownian-scene", "brownian-diffusion/coupled", "--no-pictures")
+    f = frames(folder, 12)
+    dt, steps = 6e-7, 200
+    q = np.exp(-dt / RELAX)
+    moved = np.diff(f[:, :, 9:12], axis=0)
+    checks.close("coupled: mean square displacement of 200 steps [m2]", np.mean(moved[1:] ** 2),
+                 2 * D * dt * (steps - 2 * q * (1 - q ** steps) / (1 - q * q)), 0.01)
+    checks.at_most("coupled: max_momentum_residual", coupled.summary(folder)["max_momentum_residual"], 1e-10)
+    square = [np.mean((f[k + 1:, :, 9:12] - f[1:-k, :, 9:12]) ** 2) for k in range(1, len(f) - 1)]
+    curves += [("coupled, step 1 relaxation time", np.arange(1, len(f) - 1) * steps * dt / RELAX,
+                np.array(square) / (2 * D * RELAX), "dots")]
     x = np.geomspace(5, 2000, 50)
     curves += [("2 D (t - relaxation time)", x, x - 1 + np.exp(-x), "dashed")]
     checks.picture(plots.compare(os.path.join(coupled.RUNS, "brownian-diffusion", "displacement.png"), curves,

@@ -52,8 +52,9 @@ def _alone(run):
     folder = os.path.join(run.folder, "alone")
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(os.path.join(folder, "DEM"))
-    for path in glob.glob(os.path.join(glob.escape(run.folder), "*.liggghts")):
-        shutil.copy(path, folder)
+    for pattern in ("*.liggghts", "*.places"):
+        for path in glob.glob(os.path.join(glob.escape(run.folder), pattern)):
+            shutil.copy(path, folder)
     print("the DEM half alone, for comparison ...", flush=True)
     began = time.monotonic()
     with open(os.path.join(folder, "log"), "w", encoding="utf-8") as log:

@@ -51,10 +51,10 @@ Foam::tmp<Foam::volVectorField> Foam::fluidSolver::remainder
 }
 
 
-void Foam::fluidSolver::balanceOnWalls
+void Foam::fluidSolver::onWalls
 (
-    surfaceScalarField& faceGradP,
-    const surfaceScalarField& faceSource
+    surfaceScalarField& field,
+    const volVectorField& source
 ) const
 {
     forAll(p_.boundaryField(), patchi)
@@ -62,10 +62,86 @@ void Foam::fluidSolver::balanceOnWalls
         const fvPatchScalarField& pp = p_.boundaryField()[patchi];
         if (!pp.fixesValue() && !pp.coupled())
         {
-            faceGradP.boundaryFieldRef()[patchi] ==
-                faceSource.boundaryField()[patchi];
+            field.boundaryFieldRef()[patchi] ==
+                (
+                    source.boundaryField()[patchi].patchInternalField()
+                  & pp.patch().Sf()
+                );
         }
     }
+}
+
+
+void Foam::fluidSolver::offWalls(surfaceScalarField& field) const
+{
+    forAll(p_.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
+        if (!pp.fixesValue() && !pp.coupled())
+        {
+            field.boundaryFieldRef()[patchi] == 0;
+        }
+    }
+}
+
+
+Foam::surfaceScalarField Foam::fluidSolver::faceDrag
+(
+    const particleCoupling& coupling
+) const
+{
+    surfaceScalarField drag
+    (
+        "faceDrag",
+        fvc::interpolate
+        (
+            volScalarField(coupling.Sp()/coupling.n()),
+            "interpolate(HbyA)"
+        )
+    );
+    offWalls(drag);
+    return drag;
+}
+
+
+Foam::fluidSolver::balance Foam::fluidSolver::balanced
+(
+    const particleCoupling& coupling,
+    const surfaceScalarField& faceSource,
+    const surfaceScalarField& faceDrag,
+    surfaceScalarField& faceGradP
+) const
+{
+    const volVectorField through("through", fvc::reconstruct(nPhi_));
+
+    volVectorField net
+    (
+        "net",
+        coupling.source() - (coupling.Sp()/coupling.n())*through
+    );
+    surfaceScalarField onFaces("netFaces", faceSource - faceDrag*nPhi_);
+    onWalls(onFaces, net);
+    onWalls(faceGradP, net);
+
+    volVectorField residual
+    (
+        "residual",
+        fvc::reconstruct(onFaces - faceGradP)
+      + remainder(net, onFaces)
+    );
+
+    return balance
+    {
+        tmp<volVectorField>
+        (
+            new volVectorField
+            (
+                "force",
+                residual + (coupling.Sp()/coupling.n())*through
+            )
+        ),
+        tmp<volVectorField>(new volVectorField("gradP", net - residual))
+    };
 }
 
 
@@ -131,36 +207,32 @@ void Foam::fluidSolver::correctPressure
     const volScalarField& ddtN,
     const fvVectorMatrix& UEqn,
     const surfaceScalarField& faceSource,
-    const volVectorField& remainder
+    const surfaceScalarField& faceDrag
 )
 {
-    const volScalarField rAU("rAU", 1.0/UEqn.A());
+    // without the drag, which acts on the faces
+    const volScalarField A("A", UEqn.A());
+    const volScalarField rAU("rAU", 1.0/(A - coupling.Sp()));
     const surfaceScalarField rAUf("rAUf", fvc::interpolate(rAU));
     const surfaceScalarField nf
     (
         "nf",
         fvc::interpolate(coupling.n(), "interpolate(voidfraction)")
     );
-    const surfaceScalarField nrAUf("nrAUf", nf*rAUf);
+    const surfaceScalarField yields("yields", 1/(1 + rAUf*faceDrag*nf));
+    const surfaceScalarField rDf("rDf", rAUf*yields);
+    const surfaceScalarField nrDf("nrDf", nf*rDf);
 
-    const volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
+    const volVectorField H(UEqn.H());
+    const volVectorField HbyA(constrainHbyA(rAU*H, U_, p_));
 
-    surfaceScalarField balanced(faceSource);
-    forAll(p_.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
-        if (!pp.fixesValue() && !pp.coupled())
-        {
-            balanced.boundaryFieldRef()[patchi] == 0;
-        }
-    }
+    surfaceScalarField free(faceSource);
+    offWalls(free);
 
     surfaceScalarField phiHbyA
     (
         "phiHbyA",
-        fvc::flux(HbyA)
-      + faceInertia(coupling, rAU)
-      + rAUf*balanced
+        yields*(fvc::flux(HbyA) + faceInertia(coupling, rAU)) + rDf*free
     );
     surfaceScalarField nPhiHbyA("nPhiHbyA", nf*phiHbyA);
 
@@ -169,7 +241,7 @@ void Foam::fluidSolver::correctPressure
         adjustPhi(nPhiHbyA, U_, p_);
     }
 
-    constrainPressure(p_, U_, phiHbyA, rAUf);
+    constrainPressure(p_, U_, phiHbyA, rDf);
 
     surfaceScalarField faceGradP("faceGradP", faceSource);
 
@@ -177,7 +249,7 @@ void Foam::fluidSolver::correctPressure
     {
         fvScalarMatrix pEqn
         (
-            fvm::laplacian(nrAUf, p_, "laplacian((1|A(U)),p)")
+            fvm::laplacian(nrDf, p_, "laplacian((1|A(U)),p)")
          == fvc::div(nPhiHbyA) + ddtN
         );
 
@@ -189,17 +261,17 @@ void Foam::fluidSolver::correctPressure
             const surfaceScalarField flux(pEqn.flux());
             nPhi_ = nPhiHbyA - flux;
             phi_ = nPhi_/nf;
-            faceGradP = flux/nrAUf;
+            faceGradP = flux/nrDf;
         }
     }
 
     p_.relax();
 
-    balanceOnWalls(faceGradP, faceSource);
-    U_ = HbyA + rAU*(fvc::reconstruct(faceSource - faceGradP) + remainder);
+    const balance b(balanced(coupling, faceSource, faceDrag, faceGradP));
+    U_ = (H + b.force())/A;
     U_.correctBoundaryConditions();
 
-    coupling.setPressureGradient(fvc::reconstruct(faceGradP));
+    coupling.setPressureGradient(b.gradP());
 }
 
 
@@ -208,7 +280,7 @@ void Foam::fluidSolver::step(particleCoupling& coupling)
     fv::options& fvOptions = fv::options::New(mesh_);
 
     const surfaceScalarField sources(faceSource(coupling.source()));
-    const volVectorField rest(remainder(coupling.source(), sources));
+    const surfaceScalarField drag(faceDrag(coupling));
 
     // a closed domain's n can not change as a whole
     volScalarField ddtN("ddtN", coupling.ddtN());
@@ -226,18 +298,17 @@ void Foam::fluidSolver::step(particleCoupling& coupling)
         if (pimple_.momentumPredictor())
         {
             surfaceScalarField faceGradP(fvc::snGrad(p_)*mesh_.magSf());
-            balanceOnWalls(faceGradP, sources);
 
             solve
             (
-                UEqn == fvc::reconstruct(sources - faceGradP) + rest
+                UEqn == balanced(coupling, sources, drag, faceGradP).force()
             );
             fvOptions.correct(U_);
         }
 
         while (pimple_.correct())
         {
-            correctPressure(coupling, ddtN, UEqn, sources, rest);
+            correctPressure(coupling, ddtN, UEqn, sources, drag);
             coupling.checkFields();
             fvOptions.correct(U_);
         }

@@ -22,9 +22,16 @@ set(CLAYFOAM_MODEL_SOURCES
   dragModels/KochHill/KochHill.C
   dragModels/WenYu/WenYu.C
   dragModels/Ergun/Ergun.C
+  dragModels/Stokes/Stokes.C
+  dragModels/SyamlalOBrien/SyamlalOBrien.C
   smoothingModels/smoothingModel/smoothingModel.C
   smoothingModels/none/noSmoothing.C
-  smoothingModels/diffusion/diffusionSmoothing.C)
+  smoothingModels/diffusion/diffusionSmoothing.C
+  selfDisturbanceModels/selfDisturbanceModel/selfDisturbanceModel.C
+  selfDisturbanceModels/none/noSelfDisturbance.C
+  selfDisturbanceModels/latticeMemory/latticeResponse.C
+  selfDisturbanceModels/latticeMemory/disturbanceHistory.C
+  selfDisturbanceModels/latticeMemory/latticeMemory.C)
 
 set(CLAYFOAM_MODEL_INCLUDE_DIRS
   modelCoeffs dispersedParticles
@@ -32,8 +39,12 @@ set(CLAYFOAM_MODEL_INCLUDE_DIRS
   voidFractionModels/divided voidFractionModels/exactOverlap
   dragModels/dragModel dragModels/ergunWenYu dragModels/ergunWenYuBlended
   dragModels/SchillerNaumann dragModels/Gidaspow dragModels/DiFelice
-  dragModels/Beetstra dragModels/KochHill dragModels/WenYu dragModels/Ergun
-  smoothingModels/smoothingModel smoothingModels/none smoothingModels/diffusion)
+  dragModels/Beetstra dragModels/KochHill
+  dragModels/WenYu dragModels/Ergun
+  dragModels/Stokes dragModels/SyamlalOBrien
+  smoothingModels/smoothingModel smoothingModels/none smoothingModels/diffusion
+  selfDisturbanceModels/selfDisturbanceModel selfDisturbanceModels/none
+  selfDisturbanceModels/latticeMemory)
 set(CLAYFOAM_MODEL_DIR ${CMAKE_CURRENT_LIST_DIR})
 list(TRANSFORM CLAYFOAM_MODEL_INCLUDE_DIRS PREPEND ${CLAYFOAM_MODEL_DIR}/)
 
@@ -56,7 +67,8 @@ macro(clayfoam_model_tests)
       voidFractionModels/voidFractionModelTest
       voidFractionModels/limitVoidFractionTest
       dispersedParticles/dispersedParticlesTest
-      smoothingModels/smoothingModelTest)
+      smoothingModels/smoothingModelTest
+      selfDisturbanceModels/selfDisturbanceTest)
     get_filename_component(name ${test} NAME)
     add_executable(${name} ${CLAYFOAM_MODEL_DIR}/${test}.C ${environment})
     target_link_libraries(${name} PRIVATE clayTestMesh)

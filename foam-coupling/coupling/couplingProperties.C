@@ -5,6 +5,7 @@
 #include "OStringStream.H"
 #include "dragModel.H"
 #include "forceModel.H"
+#include "selfDisturbanceModel.H"
 #include "smoothingModel.H"
 #include "voidFractionModel.H"
 
@@ -138,8 +139,8 @@ void Foam::couplingProperties::checkEntries() const
 {
     wordList known
     ({
-        "overlap", "model", "voidFractionModel", "dragModel", "forceModels",
-        "smoothingModel", "ddtVoidFraction", "interpolation",
+        "overlap", "frozenFluid", "model", "voidFractionModel", "dragModel", "forceModels",
+        "smoothingModel", "selfDisturbance", "ddtVoidFraction", "interpolation",
         "voidFractionMin", "allowNoBuoyancy", "verbose", "couplingInterval"
     });
 
@@ -282,6 +283,21 @@ Foam::couplingProperties::couplingProperties(const Time& runTime)
         take<word>("smoothingModel", "none"),
         smoothingModel::dictionaryConstructorTablePtr_->sortedToc()
     );
+
+    checkModel
+    (
+        "selfDisturbance",
+        take<word>("selfDisturbance", "none"),
+        selfDisturbanceModel::dictionaryConstructorTablePtr_->sortedToc()
+    );
+    frozenFluid_ = take<Switch>("frozenFluid", Switch(false));
+    if (frozenFluid_ && get<word>("selfDisturbance") != "none")
+    {
+        FatalIOErrorInFunction(*this)
+            << "selfDisturbance " << get<word>("selfDisturbance")
+            << " with frozenFluid yes: particles do not disturb a frozen fluid;"
+            << " set selfDisturbance none" << exit(FatalIOError);
+    }
 
     forces_ = take<wordList>
     (

@@ -98,6 +98,13 @@ Foam::smoothingModels::diffusion::diffusion
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::smoothingModels::diffusion::spread() const
+{
+    const scalar m = steps_;
+    return sqr(bandwidth_)/4/m*exp(2*(std::lgamma(m) - std::lgamma(m - 0.5)));
+}
+
+
 void Foam::smoothingModels::diffusion::smooth(scalarField& cells) const
 {
     if (!matrix_.valid() || mesh_.changing())

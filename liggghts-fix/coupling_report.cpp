@@ -156,6 +156,11 @@ void CouplingReport::finish(const clay::DemSession &session, int interval)
   j["waiting_s"] = worst[2];
   j["output_s"] = worst[3];
   j["dem_steps"] = steps_;
+  if (Fix *rest = modify->find_fix_style("rest/bed",0)) {
+    j["dem_steps_left_out"] = rest->compute_vector(0);
+    j["rest_height_missed_m"] = rest->compute_vector(1);
+    j["rest_wakings"] = rest->compute_vector(2);
+  }
   j["exchanges"] = timing.exchanges;
   j["bytes_sent"] = bytes;
   j["particles"] = particles_;

@@ -34,7 +34,8 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
   interval_(0), dt_(0.), idle_(false), opened_(-1), pending_(false), check_limit_(true),
   warned_(false), exchanges_(0),
-  bodies_(NULL), thermal_(NULL), fluid_(NULL), more_(NULL), movers_(0), listed_(-1), last_time_(0.)
+  bodies_(NULL), thermal_(NULL), fluid_(NULL), more_(NULL), movers_(0), listed_(-1),
+  still_(false), still_steps_(0), last_time_(0.)
 {
   parse(narg,arg);
   given_[0] = given_[1] = given_[2] = 0.;

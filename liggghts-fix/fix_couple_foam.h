@@ -49,6 +49,13 @@ class FixCoupleFoam : public Fix {
   /// Of the fluid at the start of the run [Pa s]; of atom i, as last answered [kg/s].
   double fluid_viscosity() const;
   double drag_coefficient(int i) const { return fluid_[i][DRAG]; }
+  /// DEM steps between two exchanges.
+  int interval() const { return interval_; }
+  /// Particles keep still from now on, or move again (fix rest/bed).
+  void rest(bool still);
+  /// Before each step in which they keep still. False when the fluid's force on a
+  /// particle has changed by more than this part of its weight.
+  bool rest_step(double tolerance);
 
   double memory_usage();
   void grow_arrays(int);
@@ -89,6 +96,8 @@ class FixCoupleFoam : public Fix {
   bool moves(int i) const;
   bool free_sphere(int i) const;
   void list_free();
+  void still_forces(std::vector<double> &forces) const;
+  void book_rest();
 
   int interval_;                 // DEM steps between two exchanges
   double dt_;                    // DEM step at the start of the run [s]
@@ -106,6 +115,9 @@ class FixCoupleFoam : public Fix {
   int movers_;                   // groups that some fix nve integrates
   std::vector<int> free_;        // spheres in no body
   int listed_;                   // local spheres when they were listed; -1 when out of date
+  bool still_;                   // particles keep still
+  int still_steps_;              // for so many steps since the last exchange
+  std::vector<double> still_force_;  // of the fluid when they came to rest [N]
   double given_[3];              // impulse given to this rank's particles [N s]
 
   std::unique_ptr<clay::DemSession> session_;

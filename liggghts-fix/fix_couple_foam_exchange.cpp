@@ -36,6 +36,7 @@ bool FixCoupleFoam::free_sphere(int i) const
 
 void FixCoupleFoam::send(bool last)
 {
+  if (still_) book_rest();
   gather();
   check_finite();
   last_time_ = update->get_cur_time();
@@ -51,7 +52,7 @@ void FixCoupleFoam::send(bool last)
 void FixCoupleFoam::gather()
 {
   const int nlocal = atom->nlocal;
-  const double third = 4./3.*M_PI;
+  const double third = 4./3.*M_PI, at_rest[3] = {0.,0.,0.};
 
   spheres_.clear();
   if (bodies_) bodies_->spheres(spheres_);
@@ -69,8 +70,10 @@ void FixCoupleFoam::gather()
       std::copy(atom->x[i],atom->x[i] + 3,x);
       if (domain->xperiodic || domain->yperiodic || domain->zperiodic) domain->remap(x);
     }
-    if (fields.has(Field::velocity))
-      std::copy(atom->v[i],atom->v[i] + 3,sent_[Field::velocity] + 3*slot);
+    if (fields.has(Field::velocity)) {
+      const double *v = still_ ? at_rest : atom->v[i];
+      std::copy(v,v + 3,sent_[Field::velocity] + 3*slot);
+    }
     if (fields.has(Field::radius)) sent_[Field::radius][slot] = atom->radius[i];
     if (fields.has(Field::volume)) sent_[Field::volume][slot] = volume;
     if (fields.has(Field::mass)) sent_[Field::mass][slot] = mass;
@@ -145,7 +148,7 @@ void FixCoupleFoam::share_impulses()
     const double *fluid = fluid_[s.atom];
     weight[s.body] += fluid[DRAG];
     for (int k = 0; k < 3; k++) {
-      shares_[3*n+k] = time*(fluid[LOAD+k] + fluid[DRAG]*(fluid[VELOCITY+k] - atom->v[s.atom][k]));
+      shares_[3*n+k] = time*(fluid[LOAD+k] + fluid[DRAG]*(fluid[VELOCITY+k] - (still_ ? 0. : atom->v[s.atom][k])));
       rest[3*s.body+k] -= shares_[3*n+k];
     }
   }

@@ -163,6 +163,13 @@ void FixMultisphereClump::uncouple()
 
 /* ---------------------------------------------------------------------- */
 
+void FixMultisphereClump::add_impulse(int ibody, const double *impulse)
+{
+  for (int k = 0; k < 3; k++) stored(ibody).impulse[k] += impulse[k];
+}
+
+/* ---------------------------------------------------------------------- */
+
 void FixMultisphereClump::take_impulse(int ibody, double *impulse)
 {
   Fluid &fluid = stored(ibody);

@@ -67,6 +67,9 @@ class FixMultisphereClump : public FixMultisphere {
   /// Impulse [N s] the fluid gave to a body since the last call.
   void take_impulse(int ibody, double *impulse);
 
+  /// Adds to it what the fluid gave while the bodies kept still [N s].
+  void add_impulse(int ibody, const double *impulse);
+
   /// Switches the fluid on; without it this is plain multisphere.
   void couple();
 

@@ -7,6 +7,7 @@
 #include "fix_insert_placed.h"
 #include "fix_lubrication.h"
 #include "fix_multisphere_clump.h"
+#include "fix_rest_bed.h"
 #include "fix_settling_curve.h"
 #include "fix_template_clay.h"
 #include "pair_coul_clump.h"

@@ -1,0 +1,66 @@
+/* ----------------------------------------------------------------------
+   This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+   fix ID all rest/bed: steps of a bed in which nothing moves are not
+   computed. Described in doc/fix_rest_bed.md.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+
+FixStyle(rest/bed,FixRestBed)
+
+#else
+
+#ifndef LMP_FIX_REST_BED_H
+#define LMP_FIX_REST_BED_H
+
+#include <string>
+
+#include "fix.h"
+#include "rest_watch.h"
+
+namespace LAMMPS_NS {
+
+class FixRestBed : public Fix {
+ public:
+  FixRestBed(class LAMMPS *, int, char **);
+
+  int setmask() { return 0; }
+  void init();
+  void setup(int) {}
+  double compute_vector(int);
+  double memory_usage();
+
+  /// Start of a run of n steps. True when steps may be left out in it.
+  bool begin(int n);
+  /// Step at which the bed is looked at next.
+  bigint next_look() const { return next_; }
+  /// Looks at the bed; returns how many steps need not be computed now.
+  bigint look();
+  /// A step was left out.
+  void passed() { skipped_++; }
+  /// Steps are computed again before all were left out: the fluid has changed, or particles come.
+  void woken();
+  /// Change of the fluid's force on a particle that wakes the bed, over its weight.
+  double fluid_tolerance() const { return fluid_; }
+
+ private:
+  void parse(int narg, char **arg);
+  std::string why_not() const;
+
+  double seconds_, fluid_;
+  clay::RestLimits limits_;
+  clay::RestWatch watch_;
+  clay::RestPlaces places_;
+
+  bool able_;            // all of the script's fixes keep still when nothing moves
+  double up_[3];         // against gravity
+  bigint window_, next_;
+  bigint built_;         // neighbour list of the places that are compared
+  bigint skipped_, left_out_, wakings_;
+};
+
+}
+
+#endif
+#endif

@@ -1,0 +1,31 @@
+/* ----------------------------------------------------------------------
+   This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+   LIGGGHTS's run_style verlet, which lets the time of a resting bed pass
+   without computing its steps. Put in place by fix rest/bed.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_VERLET_CLAY_H
+#define LMP_VERLET_CLAY_H
+
+#include "verlet.h"
+
+namespace LAMMPS_NS {
+
+class VerletClay : public Verlet {
+ public:
+  VerletClay(class LAMMPS *);
+  void init();
+  void run(int);
+
+ private:
+  void pass(bigint end);
+  bool inserts(bigint step) const;
+
+  class FixRestBed *rest_;     // null: plain verlet
+  class FixCoupleFoam *fluid_; // null without a fluid
+};
+
+}
+
+#endif

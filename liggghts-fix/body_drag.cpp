@@ -89,7 +89,8 @@ void DragStep::set(const BodyDrag &drag, double mass, const double *inertia, dou
     push[k] = drag.push[k];
     for (int j = 0; j < 3; j++) lever[3 * k + j] = drag.lever(k, j);
   }
-  Map<Matrix6d>(response) = body_response(R, drag.added, mass, inertia, dt);
+  Map<Matrix6d> H(response);
+  H = body_response(R, drag.added, mass, inertia, dt);
 }
 
 void DragStep::wrench(const double *ex, const double *ey, const double *ez, const double *v,

@@ -55,7 +55,8 @@ void ResistanceStep::set(const BodyFlow &flow, const Matrix6d &R, double scale_,
     for (int j = 0; j < 3; j++) lever[3 * k + j] = flow.lever(k, j);
   }
 
-  Map<Matrix6d>(response) = body_response(scale * R, flow.added, mass, inertia, dt);
+  Map<Matrix6d> H(response);
+  H = body_response(scale * R, flow.added, mass, inertia, dt);
 }
 
 void ResistanceStep::wrench(const Matrix6d &R, const double *ex, const double *ey,

@@ -63,6 +63,7 @@ macro(clayfoam_model_tests)
 
   foreach(test
       dragModels/dragModelTest
+      forceModels/forceModelTest
       voidFractionModels/exactOverlap/sphereFacetTest
       voidFractionModels/voidFractionModelTest
       voidFractionModels/limitVoidFractionTest

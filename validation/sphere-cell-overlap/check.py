@@ -1,0 +1,62 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""Volume of spheres in cells: exact overlaps, and sums that miss nothing with any scheme."""
+
+import os
+
+import numpy as np
+
+import coupled
+import plots
+import reference
+
+TITLE = "overlap of sphere and cell; volume kept by every scheme"
+
+
+def void_fraction(folder, time):
+    """The field voidfraction as an array, in the order of the cells."""
+    with open(os.path.join(folder, "CFD", time, "voidfraction"), encoding="utf-8") as f:
+        text = f.read()
+    text = text[text.index("List<scalar>"):]
+    return np.array(text[text.index("(") + 1:text.index(")")].split(), dtype=float)
+
+
+def run(checks):
+    r = reference.table("sphere_hex_overlap_exact")
+    tall = np.flatnonzero(r["z1_m"] == 1)
+    solid = 1 - void_fraction(coupled.finished("overlap-scene", "sphere-cell-overlap/cells", "--no-pictures"), "0.002").reshape(5, 5, 60)
+    flat = 1 - void_fraction(coupled.finished(
+        "overlap-scene", "sphere-cell-overlap/flat", "--no-pictures", "--set", "height=0.05", "--set", "size_z=0.85", "--set", "cells_z=17",
+        "--set", "size_x=5", "--set", "cells_x=5"), "0.002").reshape(17, 5, 5)
+    found = np.zeros(len(r["case"]))
+    for k, row in enumerate(tall):
+        found[row] = solid[2, 2, 4 * k + 2]
+    for row in np.flatnonzero(r["z1_m"] != 1):
+        found[row] = flat[8, 2, 2] * 0.05
+    for name, value, exact in zip(r["case"], found, r["overlap_m3"]):
+        if name == "engulf":
+            # a full cell keeps the least void fraction there is, and hands on the rest
+            checks.close("engulf: solid in the cell, less voidFractionMin [m3]", value, 1 - 1e-6, 1e-9)
+        else:
+            checks.close(f"{name}: overlap [m3]", value, exact, 1e-9)
+
+    spheres = 4 / 3 * np.pi * np.sum(r["r_m"][tall] ** 3)
+    checks.close("cells: sum of the field over all cells [m3]", np.sum(solid), spheres, 1e-9)
+
+    # the tube's mesh is a polygon in which the DEM's cylinder does not quite fit
+    tube = ("--end", "0.01", "--set", "frames=1")
+    for case, scheme, ranks, more in (
+            ("overlap-scene", "exactOverlap", "2", ()), ("overlap-scene", "divided", "2", ()),
+            ("sphere-half", "exactOverlap", "1", tube), ("sphere-half", "exactOverlap", "2", tube),
+            ("sphere-half", "divided", "2", tube), ("sphere-half", "centre", "2", tube),
+            ("sphere-half", "exactOverlap", "2", (*tube, "--set", "smoothing=diffusion"))):
+        where = "cells" if case == "overlap-scene" else "tube, smoothed" if len(more) > 4 else "tube"
+        folder = coupled.finished(case, f"sphere-cell-overlap/{where.replace(', ', '-')}-{scheme}-{ranks}", "--no-pictures",
+                                  "--cfd", ranks, "--set", f"void_fraction={scheme}", *more)
+        checks.at_most(f"{scheme}, {where}, 1 + {ranks} ranks: sum of the cells over that of the spheres, less 1",
+                       coupled.summary(folder)["max_void_fraction_volume_error"], 1e-12)
+    shown = r["overlap_m3"] > 0
+    checks.picture(plots.compare(
+        os.path.join(coupled.RUNS, "sphere-cell-overlap", "overlap.png"),
+        [("exactOverlap", np.flatnonzero(shown), np.abs(found / np.where(shown, r["overlap_m3"], 1) - 1)[shown] + 1e-17, "dots"),
+         ("gate", [0, len(found)], [1e-9, 1e-9], "dashed")],
+        "row of the table", "relative error of the overlap (engulf: voidFractionMin)", "sphere and cell", logy=True))

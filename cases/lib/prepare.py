@@ -7,6 +7,7 @@ import os
 import re
 import shutil
 
+import meshes
 import openfoam
 import packing
 from casefile import CASES, TOP, CaseError, text
@@ -72,12 +73,16 @@ def _mesh(cfd, case, derived):
         dictionary = f.read()
     values = {**case.values, **derived}
     used = {k: text(values[k]) for k in sorted(values) if re.search(r"parameters\." + k + r"\b", dictionary)}
+    kind = values.get("mesh", "hex")
+    if kind != "hex":
+        used["mesh"] = f"{kind} {values['seed']}"
     version = os.environ.get("WM_PROJECT_VERSION", "packaged")
     key = hashlib.sha256(f"{dictionary}{used}{version}".encode()).hexdigest()[:16]
     store = os.path.join(TOP, "build", "meshes", key)
     target = os.path.join(cfd, "constant", "polyMesh")
     if not os.path.isfile(os.path.join(store, "owner")):
         openfoam.run("blockMesh", cfd)
+        meshes.change(kind, cfd, values)
         part = f"{store}.{os.getpid()}"
         shutil.copytree(target, part)
         try:

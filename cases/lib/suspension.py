@@ -44,6 +44,14 @@ def _box(values):
             "side_walls": int(not around), "end_walls": int(not along)}
 
 
+def prime(seed):
+    """The prime that stands for a seed where LIGGGHTS wants one above 10000."""
+    n = 10007 + 1000 * (int(seed) % 100000)
+    while any(n % k == 0 for k in range(2, math.isqrt(n) + 1)):
+        n += 1
+    return n
+
+
 def resolve(values):
     """The values that are given by a word, as numbers: words of casefile's
     entry "or"; the mass of a particle [kg]. Empty where nothing is."""
@@ -66,8 +74,10 @@ def resolve(values):
         if named == "auto":
             named = "pressureGradient+buoyancy" if values["model"] == "A" else "buoyancy"
         found["force_models"] = "(" + named.replace("+", " ").replace("none", "") + ")"
+    found["non_orthogonal"] = 0 if values.get("mesh", "hex") == "hex" else 2
     if "size_x" in values:
         found.update(_box(values))
+        found["prime"] = prime(values["seed"])
     if "sphere_radius" not in values:
         return found
     one = particle_volume(values)

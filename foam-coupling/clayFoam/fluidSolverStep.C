@@ -157,9 +157,16 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fluidSolver::faceInertia
         rAU*coupling.nOld()/runTime_.deltaT()
     );
 
-    return
+    tmp<surfaceScalarField> tphi
+    (
         fvc::interpolate(inertia, "interpolate(HbyA)")*phi_.oldTime()
-      - fvc::flux(inertia*U_.oldTime());
+      - fvc::flux(inertia*U_.oldTime())
+    );
+
+    // the flux of walls and inlets is that of U there
+    offWalls(tphi.ref());
+
+    return tphi;
 }
 
 

@@ -13,6 +13,7 @@ import time
 
 import numpy as np
 
+import pack_box
 import pack_expansion
 import pack_packmol
 import pack_random
@@ -24,7 +25,7 @@ METHODS = ("random", "packmol", "expansion")
 CLUMPS, SPHERE = ("ill", "kao"), "grain"  # the input's fixes particletemplate/*
 # what makes a packing another one, besides the sources
 _KEYS = ("packing", "clumps", "spheres", "sphere_radius", "layer_spacing", "volume", "tube_radius",
-         "fill_height", "seed", "illite_share")
+         "fill_height", "seed", "illite_share", "size_x", "size_y", "size_z", "sides")
 
 
 def write(folder, v):
@@ -73,7 +74,7 @@ def line(report):
 def _key(v):
     values = {k: v[k] for k in _KEYS if k in v}
     sources = b""
-    for module in (pack_shapes, pack_random, pack_packmol, pack_expansion):
+    for module in (pack_shapes, pack_random, pack_packmol, pack_expansion, pack_box):
         with open(module.__file__, "rb") as f:
             sources += f.read()
     with open(__file__, "rb") as f:
@@ -105,6 +106,9 @@ def _make(folder, v):
     what = "clumps" if "clumps" in v else "spheres"
     if not kinds:
         raise CaseError(f"{what} = {v[what]}: at least one is wanted")
+    if "tube_radius" not in v:
+        _make_in_box(folder, v, kinds)
+        return
     tube = pack_shapes.Tube(v["tube_radius"], v["fill_height"])
     solid_fraction = len(kinds) * particle_volume(v) / (math.pi * tube.radius**2 * tube.height)
     began = time.monotonic()
@@ -126,6 +130,26 @@ def _make(folder, v):
         json.dump(report, f, indent=2)
         f.write("\n")
     _write_places(folder, line(report), kinds, x, q, what)
+
+
+def _make_in_box(folder, v, kinds):
+    """Spheres in a case like box."""
+    if v["packing"] != "expansion" or "clumps" in v:
+        raise CaseError(f"packing = {v['packing']}: in a box spheres by expansion are wanted")
+    size = [v["size_x"], v["size_y"], v["size_z"]]
+    solid_fraction = len(kinds) * particle_volume(v) / math.prod(size)
+    began = time.monotonic()
+    try:
+        x = pack_box.place(v["sphere_radius"], len(kinds), size, v["sides"] == "cyclic", int(v["seed"]), _Progress())
+    except pack_shapes.NotPacked as e:
+        raise CaseError(f"spheres = {len(kinds)}, solid_fraction = {solid_fraction:.4g}: {e}; take less") from None
+    report = {"method": "expansion", "particles": "spheres", "count": len(kinds), "seed": int(v["seed"]),
+              "solid_fraction": solid_fraction, "seconds": round(time.monotonic() - began, 3)}
+    report["overlap"] = pack_box.overlap(x, v["sphere_radius"], size, v["sides"] == "cyclic")
+    with open(os.path.join(folder, "packing.json"), "w", encoding="utf-8") as f:
+        json.dump(report, f, indent=2)
+        f.write("\n")
+    _write_places(folder, line(report), kinds, x, None, "spheres")
 
 
 def _place(method, shape, kinds, tube, seed, solid_fraction, say, folder):
@@ -150,6 +174,7 @@ class _Progress:
 
 
 def _write_places(folder, about, kinds, x, q, what):
+    q = [None] * len(x) if q is None else q
     templates = CLUMPS if what == "clumps" else (SPHERE,)
     with open(os.path.join(folder, "packing.places"), "w", encoding="utf-8") as f:
         f.write(f"# {about}\n# template x y z" + (" q0 q1 q2 q3\n" if what == "clumps" else "\n"))

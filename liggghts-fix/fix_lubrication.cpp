@@ -169,8 +169,6 @@ void FixLubrication::mass_and_inertia(int i, double &m, double &I) const
 
 void FixLubrication::seek_pairs()
 {
-  built_ = neighbor->lastcall;
-  nall_ = atom->nlocal + atom->nghost;
   pairs_.clear();
   if (!pairs_on_) return;
   std::vector<double> reach(nall_);
@@ -187,6 +185,23 @@ void FixLubrication::seek_pairs()
     pairs_[kept++] = pairs_[p];
   }
   pairs_.resize(kept);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixLubrication::seek_walls()
+{
+  beside_.clear();
+  for (size_t w = 0; w < walls_.size(); w++) {
+    PrimitiveWall *wall = walls_[w]->primitiveWall();
+    for (int i = 0; i < atom->nlocal; i++) {
+      double to[3];
+      const double r = atom->radius[i];
+      if ((atom->mask[i] & groupbit) &&
+          wall->resolveContact(atom->x[i],r,to) < law_.outer*r + 0.5*neighbor->skin)
+        beside_.push_back(std::make_pair(static_cast<int>(w),i));
+    }
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -231,28 +246,26 @@ void FixLubrication::find_films()
 
 void FixLubrication::find_wall_films()
 {
-  for (size_t w = 0; w < walls_.size(); w++) {
-    PrimitiveWall *wall = walls_[w]->primitiveWall();
-    for (int i = 0; i < atom->nlocal; i++) {
-      if (!(atom->mask[i] & groupbit)) continue;
-      const double r = atom->radius[i];
-      double to[3] = {0.,0.,0.};
-      const double gap = wall->resolveContact(atom->x[i],r,to);
-      if (gap >= law_.outer*r) continue;
-      const double away = sqrt(to[0]*to[0] + to[1]*to[1] + to[2]*to[2]);
-      if (away == 0.) continue;
-      double curved = 0.;
-      if (wall->axis() >= 0) {
-        double out[3];
-        const double centre = wall->calcRadialDistance(atom->x[i],out);
-        const bool inside = to[0]*out[0] + to[1]*out[1] + to[2]*out[2] > 0.;
-        curved = inside ? centre + gap + r : -(centre - gap - r);
-      }
-      const Thin thin = { law_.wall(r,gap,curved),i,-1,{-to[0]/away,-to[1]/away,-to[2]/away} };
-      if (!thin.film.acts()) continue;
-      mine_[2] = std::min(mine_[2],gap/r);
-      add(thin);
+  for (size_t n = 0; n < beside_.size(); n++) {
+    PrimitiveWall *wall = walls_[beside_[n].first]->primitiveWall();
+    const int i = beside_[n].second;
+    const double r = atom->radius[i];
+    double to[3] = {0.,0.,0.};
+    const double gap = wall->resolveContact(atom->x[i],r,to);
+    if (gap >= law_.outer*r) continue;
+    const double away = sqrt(to[0]*to[0] + to[1]*to[1] + to[2]*to[2]);
+    if (away == 0.) continue;
+    double curved = 0.;
+    if (wall->axis() >= 0) {
+      double out[3];
+      const double centre = wall->calcRadialDistance(atom->x[i],out);
+      const bool inside = to[0]*out[0] + to[1]*out[1] + to[2]*out[2] > 0.;
+      curved = inside ? centre + gap + r : -(centre - gap - r);
     }
+    const Thin thin = { law_.wall(r,gap,curved),i,-1,{-to[0]/away,-to[1]/away,-to[2]/away} };
+    if (!thin.film.acts()) continue;
+    mine_[2] = std::min(mine_[2],gap/r);
+    add(thin);
   }
   mine_[1] = films_.size() - mine_[0];
 }
@@ -262,7 +275,12 @@ void FixLubrication::find_wall_films()
 void FixLubrication::post_force(int)
 {
   const int nlocal = atom->nlocal;
-  if (neighbor->lastcall != built_ || nlocal + atom->nghost != nall_) seek_pairs();
+  if (neighbor->lastcall != built_ || nlocal + atom->nghost != nall_) {
+    built_ = neighbor->lastcall;
+    nall_ = nlocal + atom->nghost;
+    seek_pairs();
+    seek_walls();
+  }
 
   films_.clear();
   mine_[2] = law_.outer;
@@ -344,5 +362,5 @@ void FixLubrication::unpack_comm(int n, int first, double *buf)
 
 double FixLubrication::memory_usage()
 {
-  return pairs_.capacity()*sizeof(pairs_[0]) + state_.capacity()*sizeof(State) + films_.capacity()*sizeof(Thin);
+  return (pairs_.capacity() + beside_.capacity())*sizeof(pairs_[0]) + state_.capacity()*sizeof(State) + films_.capacity()*sizeof(Thin);
 }

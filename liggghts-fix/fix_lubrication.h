@@ -49,6 +49,7 @@ class FixLubrication : public Fix {
   double positive(const char *, const char *);
   bool word(const char *, const char *);
   void seek_pairs();
+  void seek_walls();
   void find_films();
   void find_wall_films();
   void add(const Thin &);
@@ -60,6 +61,7 @@ class FixLubrication : public Fix {
   class FixMultisphere *bodies_;
   std::vector<class FixWallGran *> walls_;
   std::vector<std::pair<int,int> > pairs_;
+  std::vector<std::pair<int,int> > beside_;   // spheres near a wall: which wall, which sphere
   std::vector<State> state_;
   std::vector<Thin> films_;
   bigint built_;                // time step of the neighbour lists pairs_ is of

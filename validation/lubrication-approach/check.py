@@ -73,4 +73,4 @@ def run(checks):
         curves += [(name, time / wanted[0], gap / A, "line"),
                    (f"{name}, exact", wanted[::12] / wanted[0], gaps[::12], "dots")]
     checks.picture(plots.compare(os.path.join(coupled.RUNS, "lubrication-approach", "gap.png"), curves,
-                                 "time over that of the approach", "gap over radius", "approach through a film", logy=True))
+                                 "time over T, or over that of the approach", "gap over radius", "approach through a film", logy=True))

@@ -159,6 +159,7 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
         }
 
         coupling.advance();
+        if (!coupling.properties().frozenFluid())
         {
             // the iterations of PIMPLE are said only when asked for
             const label level = messageStream::level;

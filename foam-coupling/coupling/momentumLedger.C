@@ -141,6 +141,7 @@ void Foam::momentumLedger::settle
 void Foam::momentumLedger::setSources
 (
     const dispersedParticles& p,
+    const vectorField& velocity,
     const scalarField& K,
     const vectorField& force,
     const scalarField& added,
@@ -160,7 +161,7 @@ void Foam::momentumLedger::setSources
         added_ = Zero;
         spread(p, force, reaction_);
     }
-    spread(p, vectorField(K*p.velocity), velocity_);
+    spread(p, vectorField(K*velocity), velocity_);
 
     if (smoothing.active())
     {

@@ -210,7 +210,23 @@ Foam::particleCoupling::particleCoupling
     smoothing_(smoothingModel::New(properties_, mesh_)),
     ddtType_(properties_.ddt(mapping_->smooth() || smoothing_->active())),
     sumShared_(sharedSum()),
-    forces_(properties_, sumShared_, rho_),
+    forces_
+    (
+        properties_,
+        sumShared_,
+        rho_,
+        {
+            mesh_,
+            mapping_->type(),
+            properties_.interpolation(),
+            nu_,
+            rho_,
+            smoothing_->spread(),
+            ddtType_ == couplingProperties::ddtType::difference ? 1.0
+          : ddtType_ == couplingProperties::ddtType::particleFlux ? 2.0 : 0.0,
+            properties_.has("pressureGradient")
+        }
+    ),
     ledger_(mesh_, rho_),
     history_(U_),
     gradP_

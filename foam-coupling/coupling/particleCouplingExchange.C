@@ -182,38 +182,53 @@ void Foam::particleCoupling::exchangeMomentum()
         fluid,
         history_.mapped(),
         nu_,
+        elapsed(),
         weighted
       ? ledger_.follow(history_.mapped(), forces_.addedDensity())
       : scalarField()
     );
 
+    vectorField& own = forces_.own();
+
     // the owner tells the other ranks that hold a part of the particle
     if (Pstream::parRun())
     {
-        std::vector<double> shared(4*p.size(), 0.0);
+        const int width = own.size() ? 7 : 4;
+        std::vector<double> shared(width*p.size(), 0.0);
         forAll(p.owned, i)
         {
             if (p.owned[i])
             {
-                shared[4*i] = forces_.K[i];
+                double* s = &shared[width*i];
+                s[0] = forces_.K[i];
                 for (direction d = 0; d < 3; ++d)
                 {
-                    shared[4*i + 1 + d] = forces_.reacting[i][d];
+                    s[1 + d] = forces_.reacting[i][d];
+                    if (width > 4)
+                    {
+                        s[4 + d] = own[i][d];
+                    }
                 }
             }
         }
-        sumShared_(shared, 4);
+        sumShared_(shared, width);
         forAll(p.owned, i)
         {
-            forces_.K[i] = shared[4*i];
-            forces_.reacting[i] =
-                vector(shared[4*i + 1], shared[4*i + 2], shared[4*i + 3]);
+            const double* s = &shared[width*i];
+            forces_.K[i] = s[0];
+            forces_.reacting[i] = vector(s[1], s[2], s[3]);
+            if (width > 4)
+            {
+                own[i] = vector(s[4], s[5], s[6]);
+            }
         }
     }
 
+    // the cells show the particles' own part besides: K (v + own - U)
     ledger_.setSources
     (
         p,
+        own.size() ? vectorField(p.velocity + own) : p.velocity,
         forces_.K,
         forces_.reacting,
         forces_.addedMass,

@@ -196,13 +196,15 @@ Foam::particleForces::particleForces
 (
     const couplingProperties& properties,
     const voidFractionModel::sharedSum& sumShared,
-    const scalar rho
+    const scalar rho,
+    const selfDisturbanceModel::setting& self
 )
 :
     properties_(properties),
     sumShared_(sumShared),
     drag_(dragModel::New(properties)),
     forces_(properties.forces().size()),
+    self_(selfDisturbanceModel::New(properties, self)),
     vorticity_(false),
     spin_(false),
     turn_(false),
@@ -231,6 +233,10 @@ void Foam::particleForces::velocity
 )
 {
     u = sample(U, p);
+    if (own_.size())
+    {
+        u -= own_;
+    }
 }
 
 
@@ -240,6 +246,7 @@ void Foam::particleForces::evaluate
     const fluidState& fluid,
     const volScalarField& n,
     const scalar nu,
+    const scalar T,
     const scalarField& part
 )
 {
@@ -247,8 +254,16 @@ void Foam::particleForces::evaluate
     {
         force.prepare(fluid);
     }
-    velocity(p, fluid.U);
-    const scalarField fraction(sample(n, p));
+    u = sample(fluid.U, p);
+    scalarField fraction(sample(n, p));
+    vectorField ownForce;
+    if (self_->active())
+    {
+        scalarField ownSolid;
+        self_->evaluate(p, T, u, fraction, own_, ownSolid, ownForce);
+        u -= own_;
+        fraction += ownSolid;
+    }
 
     K.setSize(p.size());
     K = 0;
@@ -299,6 +314,12 @@ void Foam::particleForces::evaluate
     if (vorticity_ || turn_ || addedDensity_ > 0)
     {
         evaluateMore(p, fluid, fraction, nu);
+    }
+
+    if (self_->active())
+    {
+        reacting -= ownForce;
+        self_->sent(p, K, vectorField(reacting + hydrostatic));
     }
 }
 

@@ -196,7 +196,15 @@ TEST(dragModel, valuesByHand)
         {"Ergun", 0.9, 10, 36.1111},
         {"Ergun", 0.5, 100, 500},
         {"WenYu", 0.9, 10, 41.1600},
-        {"WenYu", 0.5, 0, 112.9801}
+        {"WenYu", 0.5, 0, 112.9801},
+        {"Stokes", 0.5, 100, 18},
+        // A 0.5^4.14 = 0.0567199 = V_r: 3/4 0.5 4.8^2/V_r
+        {"SyamlalOBrien", 0.5, 0, 152.327},
+        // V_r = 1: as Di Felice alone
+        {"SyamlalOBrien", 1, 100, 92.4075},
+        // slip 100 in it: B 0.329436, V_r = (A - 6 + (36 + 12 (2 B - A) + A^2)^1/2)/2
+        // = 0.3158, 3/4 50 (0.63 + 4.8 (V_r/100)^1/2)^2/V_r^2
+        {"SyamlalOBrien", 0.5, 50, 304.398}
     };
 
     for (const entry& e : entries)
@@ -214,7 +222,8 @@ TEST(dragModel, units)
     for (const char* name :
         {
             "ergunWenYu", "ergunWenYuBlended", "SchillerNaumann", "Gidaspow",
-            "DiFelice", "Beetstra", "KochHill", "WenYu"
+            "DiFelice", "Beetstra", "KochHill", "WenYu", "Stokes",
+            "SyamlalOBrien"
         })
     {
         const auto m = law(name);

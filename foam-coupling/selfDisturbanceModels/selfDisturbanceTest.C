@@ -33,6 +33,7 @@ TEST(selfDisturbance, responseByFourier)
         for (const auto& o : {Vector<int>(0, 0, 0), Vector<int>(1, 0, 2), Vector<int>(-1, 2, 1)})
         {
             symmTensor T(Zero), L(Zero);
+            vector D(Zero);
             scalar H = 0;
             for (int a = 0; a < N; ++a)
             for (int b = 0; b < N; ++b)
@@ -60,12 +61,15 @@ TEST(selfDisturbance, responseByFourier)
                     mm.xx(), 0, 0, mm.yy(), 0, mm.zz()
                 );
                 T += phase*std::exp(-s2*theta)*(one - ss);
+                D += phase*std::exp(-s2*theta)*cmptMultiply(s, s)/4;
                 L += phase*std::exp(-s2*0.3)*ss;
                 H += phase*std::exp(-s2*0.3);
             }
             const latticeWeights w(at(o.x(), o.y(), o.z()));
             // the periodic one lacks the mean of the infinite lattice's
-            const symmTensor got(table.mean(w, theta, theta));
+            const auto both(table.mean(w, theta, theta));
+            const symmTensor got(both.byFaces);
+            EXPECT_NEAR(mag(both.byCells - D), 0, 1e-3) << theta;
             for (direction c = 0; c < 6; ++c)
             {
                 EXPECT_NEAR(got[c], T[c], 1e-3) << theta << ' ' << int(c);
@@ -90,9 +94,13 @@ TEST(selfDisturbance, meansAddUp)
         const scalar step = (10*from + 0.02)/n;
         for (int k = 0; k < n; ++k)
         {
-            sum += table.mean(w, from + k*step, from + (k + 1)*step)/n;
+            sum +=
+                table.mean(w, from + k*step, from + (k + 1)*step).byFaces/n;
         }
-        const symmTensor whole(table.mean(w, from, from + n*step));
+        const symmTensor whole
+        (
+            table.mean(w, from, from + n*step).byFaces
+        );
         for (direction c = 0; c < 6; ++c)
         {
             EXPECT_NEAR(sum[c], whole[c], 3e-3*mag(whole)) << from << ' ' << int(c);
@@ -111,7 +119,7 @@ TEST(selfDisturbance, farAndLate)
         {
             const symmTensor lattice
             (
-                table.mean(at(r.x(), r.y(), r.z()), theta, theta)
+                table.mean(at(r.x(), r.y(), r.z()), theta, theta).byFaces
             );
             const symmTensor far(latticeResponse::far(r, theta + 0.15));
             for (direction c = 0; c < 6; ++c)
@@ -153,7 +161,7 @@ TEST(selfDisturbance, historyKeepsImpulse)
     for (int k = 0; k < 3000; ++k)
     {
         h.last.centre.z() -= 1e-3;
-        h.add(1e-3, vector(0.5, 0, 0), vector(1, 2, 3));
+        h.add(1e-3, vector(0.5, 0, 0), vector(1, 2, 3), vector(0, 0, 1));
         t += 1e-3;
     }
     EXPECT_LT(h.entries.size(), 45u);
@@ -231,7 +239,7 @@ TEST(selfDisturbance, steadyPointForce)
             p, T, vectorField(1, Zero), scalarField(1, 1.0),
             velocity, solid, force
         );
-        model->sent(p, vectorField(1, Zero));
+        model->sent(p, scalarField(1, 0.0), vectorField(1, Zero));
     }
     // steady: sum over a lattice's wave numbers of c_z^2 (1 - s_z^2/s^2)/s^2,
     // less the sum of what is older than 40 h^2/nu

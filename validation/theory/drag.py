@@ -124,6 +124,23 @@ def koch_hill(n, slip, d, nu, rho):
     return stokes(d, nu, rho) * n**2 * (f0 + 0.5 * f3 * re)
 
 
+def stokes_law(n, slip, d, nu, rho):
+    """Stokes's drag on a sphere alone, whatever n and Re."""
+    return stokes(d, nu, rho) + 0.0 * n * slip
+
+
+def syamlal_obrien(n, slip, d, nu, rho):
+    """Syamlal and O'Brien (1987), DOE/METC/94-1004, with V_r of Garside and
+    Al-Dibouni (1977); Re holds the interstitial slip."""
+    re = slip * d / nu
+    a = n**4.14
+    b = np.where(n <= 0.85, 0.8 * n**1.28, n**2.65)
+    x = 0.06 * re
+    vr = 0.5 * (a - x + np.sqrt(x**2 + 2.0 * x * (2.0 * b - a) + a**2))
+    return (0.75 * n * nu * rho / d**2 / vr**2
+            * (0.63 * np.sqrt(re) + 4.8 * np.sqrt(vr)) ** 2)
+
+
 #: The solver's names of the laws (dragModel in couplingProperties).
 LAWS = {
     "ergunWenYu": ergun_wen_yu,
@@ -135,6 +152,8 @@ LAWS = {
     "KochHill": koch_hill,
     "WenYu": wen_yu_everywhere,
     "Ergun": ergun,
+    "Stokes": stokes_law,
+    "SyamlalOBrien": syamlal_obrien,
 }
 
 #: Solid fractions at which a law jumps.

@@ -227,7 +227,12 @@ Foam::vector Foam::selfDisturbanceModels::latticeMemory::velocity
         }
         else
         {
-            sum += table.mean(seen.apart(e.map), theta0, theta1) & e.impulse;
+            const latticeResponse::values mean
+            (
+                table.mean(seen.apart(e.map), theta0, theta1)
+            );
+            sum += mean.byFaces & e.impulse;
+            sum += cmptMultiply(mean.byCells, e.implicit);
         }
     }
     return sum/(-setting_.rho*V);
@@ -315,7 +320,8 @@ void Foam::selfDisturbanceModels::latticeMemory::evaluate
         if (T > 0)
         {
             const vector impulse(p.impulse[i] - T*h.sent);
-            h.add(T, u[i], impulse);
+            const scalar m = p.mass[i];
+            h.add(T, u[i], impulse, -m*std::expm1(-h.K*T/m)*u[i]);
             velocity[i] = S*this->velocity(h, seen);
 
             const latticeWeights w(seen.apart(h.last));
@@ -350,6 +356,7 @@ void Foam::selfDisturbanceModels::latticeMemory::evaluate
 void Foam::selfDisturbanceModels::latticeMemory::sent
 (
     const dispersedParticles& p,
+    const scalarField& K,
     const vectorField& force
 )
 {
@@ -359,6 +366,7 @@ void Foam::selfDisturbanceModels::latticeMemory::sent
         if (p.owned[i] && found != histories_.end())
         {
             found->second.sent = force[i];
+            found->second.K = K[i];
         }
     }
 }

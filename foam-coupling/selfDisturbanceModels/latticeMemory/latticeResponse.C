@@ -17,7 +17,8 @@ constexpr int count = Foam::latticeResponse::reach + 1;
 // the heat kernel of a line of cells and what the responses need of it
 struct line
 {
-    double p[count], mean[count], curve[count], meanCurve[count], slope[count];
+    double p[count], mean[count], curve[count], meanCurve[count], slope[count],
+        curve2[count];
 };
 
 // p_n = 1/pi int_0^pi cos(n k) exp(-2x (1 - cos k)) dk
@@ -34,7 +35,8 @@ void heat(const double x, const double a, line& l)
         return c;
     }();
 
-    double p[count + 2] = {};
+    constexpr int needed = count + 3;
+    double p[needed] = {};
     if (x > 0)
     {
         for (int m = 0; m <= points; ++m)
@@ -42,7 +44,7 @@ void heat(const double x, const double a, line& l)
             const double e =
                 std::exp(-2*x*(1 - cosines[m]))
                *(m == 0 || m == points ? 0.5 : 1)/points;
-            for (int n = 0; n < count + 2; ++n)
+            for (int n = 0; n < needed; ++n)
             {
                 p[n] += e*cosines[(n*m) % (2*points)];
             }
@@ -66,8 +68,9 @@ void heat(const double x, const double a, line& l)
         // 1 - (s h)^2/4 is the mean's transform
         const auto curve = [&](const int m)
         {
-            return a*(2*at(m) - at(m - 1) - (m + 1 < count + 2 ? at(m + 1) : 0));
+            return a*(2*at(m) - at(m - 1) - at(m + 1));
         };
+        l.curve2[n] = a*(2*curve(n) - curve(n - 1) - curve(n + 1));
         l.meanCurve[n] = (curve(n - 1) + 2*curve(n) + curve(n + 1))/4;
         l.slope[n] = std::sqrt(a)*(at(n + 1) - at(n - 1))/2;
     }
@@ -115,7 +118,7 @@ int Foam::latticeResponse::node(const scalar theta, scalar& share)
 
 Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
 :
-    table_(size_t(nodes_ + 1)*offsets_*12),
+    table_(size_t(nodes_ + 1)*offsets_*2*width_),
     instant_(size_t(offsets_)*10)
 {
     const scalar unit = std::cbrt(h.x()*h.y()*h.z());
@@ -125,25 +128,24 @@ Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
     );
 
     // from long to short theta: integrals from theta on of g (T: 6, L: 6,
-    // A: 3) and of theta g (T: 6)
-    constexpr int fine = 4, width = 21;
+    // A: 3, D: 3) and of theta g (T: 6, D: 3)
+    constexpr int fine = 4, width = 27;
     constexpr int last = fine*perOctave_*21;
     std::vector<double> sum(size_t(offsets_)*width, 0.0), g(sum), before(sum);
     double thetaBefore = 0;
     std::array<line, 3> lines;
 
-    const auto keep = [&](const double theta, const int k)
+    const auto keep = [&](const int k)
     {
         for (int o = 0; o < offsets_; ++o)
         {
-            double* to = &table_[(size_t(k)*offsets_ + o)*12];
-            for (int c = 0; c < 6; ++c)
+            double* to = &table_[(size_t(k)*offsets_ + o)*2*width_];
+            for (int c = 0; c < width_; ++c)
             {
-                to[c] = sum[o*width + c];
-                to[6 + c] = sum[o*width + 15 + c];   // finished below
+                to[c] = sum[o*width + (c < 6 ? c : 9 + c)];
+                to[width_ + c] = sum[o*width + 18 + c];   // finished below
             }
         }
-        (void)theta;
     };
 
     for (int f = last; f >= -1; --f)
@@ -177,13 +179,22 @@ Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
                        *lines[k].p[n[k]];
                     go[6 + c] = -go[c];
                 }
-                go[15 + c] = theta*go[c];
+                go[18 + c] = theta*go[c];
             }
             for (int i = 0; i < 3; ++i)
             {
                 const int y = (i + 1) % 3, z = (i + 2) % 3;
                 go[12 + i] = -lines[i].slope[n[i]]
                    *lines[y].p[n[y]]*lines[z].p[n[z]];
+
+                const line &lx = lines[i], &ly = lines[y], &lz = lines[z];
+                go[15 + i] = 0.25/a[i]*
+                (
+                    lx.curve2[n[i]]*ly.p[n[y]]*lz.p[n[z]]
+                  + lx.curve[n[i]]
+                   *(ly.curve[n[y]]*lz.p[n[z]] + ly.p[n[y]]*lz.curve[n[z]])
+                );
+                go[24 + i] = theta*go[15 + i];
             }
         }
         if (f < last)
@@ -201,11 +212,11 @@ Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
 
         if (f < 0)
         {
-            keep(0, nodes_);
+            keep(nodes_);
         }
         else if (f % fine == 0 && f/fine < nodes_)
         {
-            keep(theta, f/fine);
+            keep(f/fine);
         }
 
         // the responses without a time, at the spread
@@ -235,18 +246,18 @@ Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
         const double theta = thetaMin_*std::exp2(k/double(perOctave_));
         for (int o = 0; o < offsets_; ++o)
         {
-            double* t = &table_[(size_t(k)*offsets_ + o)*12];
-            const double* zero = &table_[(size_t(nodes_)*offsets_ + o)*12];
-            for (int c = 0; c < 6; ++c)
+            double* t = &table_[(size_t(k)*offsets_ + o)*2*width_];
+            const double* zero = &table_[(size_t(nodes_)*offsets_ + o)*2*width_];
+            for (int c = 0; c < width_; ++c)
             {
-                t[6 + c] = t[c] + (zero[6 + c] - t[6 + c])/theta;
+                t[width_ + c] = t[c] + (zero[width_ + c] - t[width_ + c])/theta;
             }
         }
     }
     for (int o = 0; o < offsets_; ++o)
     {
-        double* zero = &table_[(size_t(nodes_)*offsets_ + o)*12];
-        std::copy(zero, zero + 6, zero + 6);
+        double* zero = &table_[(size_t(nodes_)*offsets_ + o)*2*width_];
+        std::copy(zero, zero + width_, zero + width_);
     }
 
     for (int d = 0; d < 3; ++d)
@@ -316,7 +327,7 @@ void each(const Foam::latticeWeights& w, const Function& f)
 }
 
 
-Foam::symmTensor Foam::latticeResponse::mean
+Foam::latticeResponse::values Foam::latticeResponse::mean
 (
     const latticeWeights& w,
     const scalar theta0,
@@ -330,7 +341,7 @@ Foam::symmTensor Foam::latticeResponse::mean
     {
         const auto at = [&](const int k)
         {
-            return &table_[size_t(k)*offsets_*12 + column];
+            return &table_[size_t(k)*offsets_*2*width_ + column];
         };
         if (theta < thetaMin_)
         {
@@ -352,32 +363,36 @@ Foam::symmTensor Foam::latticeResponse::mean
     }
     else
     {
-        add(theta1, 6, theta1/(theta1 - theta0));
+        add(theta1, width_, theta1/(theta1 - theta0));
         if (theta0 > 0)
         {
-            add(theta0, 6, -theta0/(theta1 - theta0));
+            add(theta0, width_, -theta0/(theta1 - theta0));
         }
     }
 
-    symmTensor sum(Zero);
+    values sum{Zero, Zero};
     each
     (
         w,
         [&](const int o, const scalar* sign, const scalar weight)
         {
-            double t[6] = {};
+            double t[width_] = {};
             for (int m = 0; m < n; ++m)
             {
-                const double* from = terms[m].base + o*12;
-                for (int c = 0; c < 6; ++c)
+                const double* from = terms[m].base + o*2*width_;
+                for (int c = 0; c < width_; ++c)
                 {
                     t[c] += terms[m].factor*from[c];
                 }
             }
             for (int c = 0; c < 6; ++c)
             {
-                sum[c] += weight*t[c]
+                sum.byFaces[c] += weight*t[c]
                    *(first[c] == second[c] ? 1 : sign[first[c]]*sign[second[c]]);
+            }
+            for (int d = 0; d < 3; ++d)
+            {
+                sum.byCells[d] += weight*t[6 + d];
             }
         }
     );

@@ -288,13 +288,13 @@ TEST(dragModel, refusals)
 {
     try
     {
-        law("Stokes");
+        law("Newton");
         FAIL() << "an unknown law was taken";
     }
     catch (const Foam::error& e)
     {
         const std::string text(e.message());
-        EXPECT_NE(text.find("dragModel Stokes is not known"), text.npos);
+        EXPECT_NE(text.find("dragModel Newton is not known"), text.npos);
         EXPECT_NE(text.find("ergunWenYuBlended"), text.npos) << text;
         EXPECT_NE(text.find("KochHill"), text.npos) << text;
     }

@@ -306,6 +306,8 @@ void Foam::selfDisturbanceModels::latticeMemory::evaluate
 
         solid[i] = fraction*table.share(seen.apart(now));
         const scalar S = excess(1 - n[i] - solid[i]);
+        // where the particle is, there is less fluid to move
+        const scalar amplitude = S*(1 + 0.4*solid[i]);
         solid[i] *= S;
 
         const auto found = histories_.find(p.tag[i]);
@@ -322,7 +324,7 @@ void Foam::selfDisturbanceModels::latticeMemory::evaluate
             const vector impulse(p.impulse[i] - T*h.sent);
             const scalar m = p.mass[i];
             h.add(T, u[i], impulse, -m*std::expm1(-h.K*T/m)*u[i]);
-            velocity[i] = S*this->velocity(h, seen);
+            velocity[i] = amplitude*this->velocity(h, seen);
 
             const latticeWeights w(seen.apart(h.last));
             const symmTensor along(table.longitudinal(w));

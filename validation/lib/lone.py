@@ -6,6 +6,7 @@ import os
 import numpy as np
 
 import coupled
+import reference  # noqa: F401  (finds theory)
 
 
 def run(where, *, limit=600, **values):

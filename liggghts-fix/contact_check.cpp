@@ -15,6 +15,7 @@
 #include "lammps.h"
 #include "modify.h"
 #include "neigh_list.h"
+#include "pair_coul_clump.h"
 #include "pair_gran.h"
 #include "primitive_wall.h"
 #include "vector_container.h"
@@ -37,8 +38,9 @@ PairGran *granular(LAMMPS *lmp)
   return dynamic_cast<PairGran *>(pair);
 }
 
-// fixes wall/gran of primitive shape
-std::vector<FixWallGran *> primitive_walls(LAMMPS *lmp)
+}
+
+std::vector<FixWallGran *> LAMMPS_NS::primitive_walls(LAMMPS *lmp)
 {
   std::vector<FixWallGran *> walls;
   for (int i = 0; i < lmp->modify->nfix; i++) {
@@ -46,8 +48,6 @@ std::vector<FixWallGran *> primitive_walls(LAMMPS *lmp)
     if (w && !w->is_mesh_wall() && w->primitiveWall()) walls.push_back(w);
   }
   return walls;
-}
-
 }
 
 ContactModel::ContactModel(LAMMPS *lmp) : lmp_(lmp)
@@ -117,10 +117,66 @@ double LAMMPS_NS::resting_step_limit(LAMMPS *lmp, std::string *which)
     const double step = clay::stableStep(t->mass(), t->density() * t->geometry().inertia, contacts);
     if (step < limit) {
       limit = step;
-      if (which) *which = t->id;
+      if (which) *which = std::string("a clump '") + t->id + "'";
+    }
+  }
+
+  // of each type the lightest free sphere: all else equal its limit is the lowest
+  const Atom &atom = *lmp->atom;
+  FixMultisphere *ms = static_cast<FixMultisphere *>(lmp->modify->find_fix_style("multisphere", 0));
+  std::vector<double> mass(atom.ntypes + 1, infinity), size(atom.ntypes + 1, infinity);
+  for (int i = 0; i < atom.nlocal; i++) {
+    if (ms && ms->belongs_to(i) >= 0) continue;
+    mass[atom.type[i]] = std::min(mass[atom.type[i]], atom.rmass[i]);
+    size[atom.type[i]] = std::min(size[atom.type[i]], atom.radius[i]);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, mass.data(), mass.size(), MPI_DOUBLE, MPI_MIN, lmp->world);
+  MPI_Allreduce(MPI_IN_PLACE, size.data(), size.size(), MPI_DOUBLE, MPI_MIN, lmp->world);
+  for (int type = 1; type <= atom.ntypes; type++) {
+    const double m = mass[type], r = size[type];
+    if (m == infinity) continue;
+    const int wall = walls.empty() ? type : walls[0]->atom_type_wall();
+    const auto contacts = clay::restingContacts({Vector3d::Zero()}, {r}, model.between(type, wall, m, r),
+                                                model.between(type, type, 0.5 * m, 0.5 * r));
+    const double step = clay::stableStep(m, 0.4 * m * r * r * Matrix3d::Identity(), contacts);
+    if (step < limit) {
+      limit = step;
+      if (which) *which = "a sphere of type " + std::to_string(type);
     }
   }
   return limit;
+}
+
+/* ---------------------------------------------------------------------- */
+
+ChargedContact LAMMPS_NS::charged_contact(LAMMPS *lmp)
+{
+  ChargedContact worst;
+  const ContactModel model(lmp);
+  const PairCoulClump *coul = lmp->force->pair
+    ? dynamic_cast<PairCoulClump *>(lmp->force->pair_match("coul/clump", 1)) : nullptr;
+  if (!coul || !model.known()) return worst;
+
+  const Atom &atom = *lmp->atom;
+  std::vector<double> mass(atom.ntypes + 1, infinity), size(atom.ntypes + 1, infinity);
+  for (int i = 0; i < atom.nlocal; i++) {
+    mass[atom.type[i]] = std::min(mass[atom.type[i]], atom.rmass[i]);
+    size[atom.type[i]] = std::min(size[atom.type[i]], atom.radius[i]);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, mass.data(), mass.size(), MPI_DOUBLE, MPI_MIN, lmp->world);
+  MPI_Allreduce(MPI_IN_PLACE, size.data(), size.size(), MPI_DOUBLE, MPI_MIN, lmp->world);
+
+  for (int i = 1; i <= atom.ntypes; i++)
+    for (int j = 1; j < i; j++) {
+      const double qq = coul->charge(i) * coul->charge(j);
+      if (size[i] == infinity || size[j] == infinity || qq >= 0) continue;
+      const double d = size[i] + size[j], m = mass[i] * mass[j] / (mass[i] + mass[j]);
+      const double k = model.between(i, j, m, size[i] * size[j] / d).kn;
+      const double impact = std::sqrt(2 * std::fabs(coul->law().energy(qq, d)) / k) / d;
+      if (impact <= worst.impact) continue;
+      worst = {clay::attractedOverlap(-coul->law().k * qq, k, d), impact, k, k * impact * impact / 0.01, j, i};
+    }
+  return worst;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -5,11 +5,13 @@
 #define LMP_CONTACT_CHECK_H
 
 #include <string>
+#include <vector>
 
 #include "contact_limit.h"
 
 namespace LAMMPS_NS {
 
+class FixWallGran;
 class LAMMPS;
 
 /// The granular pair style's normal model and its coefficients.
@@ -30,11 +32,28 @@ class ContactModel {
   bool known_, stiffness_;
 };
 
-/// Largest stable step [s] for a clump of any clay template that lies in the
-/// foot of a column with the like of itself on top; infinite without such
-/// templates or with another contact model. `which` names the template.
+/// The script's fixes wall/gran of primitive shape.
+std::vector<FixWallGran *> primitive_walls(LAMMPS *lmp);
+
+/// Largest stable step [s] for a clump of any clay template, or a free sphere
+/// there is, that lies in the foot of a column with the like of itself on top;
+/// infinite without particles or with another contact model. `which` says what
+/// it is: "a clump 'ID'", "a sphere of type 1".
 /// To be called after init, on all processors.
 double resting_step_limit(LAMMPS *lmp, std::string *which = nullptr);
+
+/// Two types whose charges press their spheres into each other.
+struct ChargedContact {
+  double overlap = 0;    ///< at rest, over the diameter; infinite when nothing holds them
+  double impact = 0;     ///< likewise of two that come from afar without drag
+  double stiffness = 0;  ///< [N/m] of their contact
+  double wanted = 0;     ///< [N/m] that would keep the impact below 0.1
+  int first = 0, second = 0;
+};
+
+/// The worst of all types under pair coul/clump, by the smallest spheres there
+/// are of each; zeros without charges. On all processors.
+ChargedContact charged_contact(LAMMPS *lmp);
 
 /// Largest stable step [s] by the contacts there are now, and the number of
 /// contacts of the body it is due to. Bodies whose cheap bound is no hindrance

@@ -98,6 +98,19 @@ double effectiveModulus(double youngs1, double poisson1, double youngs2, double 
 
 // k_n such that an elastic impact at the characteristic velocity reaches the
 // overlap it has by Hertz's law; damping from the restitution
+double attractedOverlap(double pull, double stiffness, double diameter)
+{
+  const double share = pull / (stiffness * diameter * diameter * diameter);
+  if (!(share <= 4.0 / 27.0)) return std::numeric_limits<double>::infinity();
+  // x (1 - x)^2 = share has its stable root below 1/3
+  double low = 0.0, high = 1.0 / 3.0;
+  for (int i = 0; i < 60; ++i) {
+    const double x = 0.5 * (low + high);
+    (x * (1 - x) * (1 - x) < share ? low : high) = x;
+  }
+  return low;
+}
+
 ContactCoefficients hookeCoefficients(double radius, double mass, double modulus, double velocity,
                                       double restitution)
 {

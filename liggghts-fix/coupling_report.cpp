@@ -30,7 +30,7 @@ using namespace LAMMPS_NS;
 CouplingReport::CouplingReport(LAMMPS *lmp, const std::string &file, double seconds) :
   Pointers(lmp), file_(file), seconds_(seconds), counted_(false),
   began_(0.), last_line_(0.), wall_(0.), output_(0.), steps_(0), particles_(0),
-  start_time_(0.), overlap_(0.)
+  start_time_(0.), overlap_(0.), now_(0.), pair_{0,0}
 {
 }
 
@@ -83,7 +83,11 @@ double CouplingReport::max_overlap()
       const double dx = x[i][0]-x[j][0], dy = x[i][1]-x[j][1], dz = x[i][2]-x[j][2];
       const double sum = radius[i] + radius[j], r2 = dx*dx + dy*dy + dz*dz;
       if (r2 >= sum*sum) continue;
-      worst = std::max(worst,0.5*(sum - sqrt(r2))/std::min(radius[i],radius[j]));
+      const double overlap = 0.5*(sum - sqrt(r2))/std::min(radius[i],radius[j]);
+      if (overlap <= worst) continue;
+      worst = overlap;
+      pair_[0] = atom->tag[i];
+      pair_[1] = atom->tag[j];
     }
   }
   return worst;
@@ -93,7 +97,8 @@ double CouplingReport::max_overlap()
 
 void CouplingReport::exchange(const clay::DemSession &session, bool last)
 {
-  overlap_ = std::max(overlap_,max_overlap());
+  now_ = max_overlap();
+  overlap_ = std::max(overlap_,now_);
   if (seconds_ <= 0.) return;
   // every rank must come to the same decision: the first rank's clock counts
   int due = last || MPI_Wtime() - last_line_ >= seconds_;
@@ -129,15 +134,15 @@ void CouplingReport::line(const clay::DemSession &session)
 
 /* ---------------------------------------------------------------------- */
 
-void CouplingReport::finish(const clay::DemSession &session, int interval)
+void CouplingReport::finish(const clay::DemSession &session, int interval, double wall_overlap)
 {
   wall_ += MPI_Wtime() - began_;
   output_ += timer->array[TIME_OUTPUT];
   steps_ += update->laststep - update->firststep;
 
   const clay::Timing &timing = session.timing();
-  double mine[5] = {wall_,timing.exchange,timing.waiting,output_,overlap_}, worst[5];
-  MPI_Allreduce(mine,worst,5,MPI_DOUBLE,MPI_MAX,world);
+  double mine[6] = {wall_,timing.exchange,timing.waiting,output_,overlap_,wall_overlap}, worst[6];
+  MPI_Allreduce(mine,worst,6,MPI_DOUBLE,MPI_MAX,world);
   bigint n = atom->nlocal, now;
   MPI_Allreduce(&n,&now,1,MPI_LMP_BIGINT,MPI_SUM,world);
   double sent = timing.bytesSent, bytes;
@@ -167,6 +172,7 @@ void CouplingReport::finish(const clay::DemSession &session, int interval)
   j["particles_lost"] = std::max(0L,particles_ - long(now));
   j["clumps"] = clumps;
   j["max_overlap_over_d"] = worst[4];
+  j["max_wall_overlap_over_d"] = worst[5];
   j["settings"] = {{"timestep_s",update->dt}, {"coupling_interval_steps",interval},
                    {"coupling_interval_s",update->dt*interval}};
   for (const auto &s : settings_) j["settings"][s.first] = s.second;

@@ -24,8 +24,13 @@ class CouplingReport : protected Pointers {
   void start();
   /// After each exchange: takes the measures, prints the line when it is due.
   void exchange(const clay::DemSession &session, bool last);
-  /// Marks the end of a run and writes dem.json.
-  void finish(const clay::DemSession &session, int interval);
+  /// Marks the end of a run and writes dem.json. wall_overlap: largest with a wall, over d.
+  void finish(const clay::DemSession &session, int interval, double wall_overlap);
+
+  /// Largest overlap over d at the last exchange on this rank, and whose it is.
+  double overlap() const { return now_; }
+  int first() const { return pair_[0]; }
+  int second() const { return pair_[1]; }
 
   /// A setting for dem.json.
   void setting(const std::string &name, const std::string &value) { settings_.push_back({name, value}); }
@@ -42,8 +47,9 @@ class CouplingReport : protected Pointers {
   bool counted_;
   double began_, last_line_, wall_, output_;
   long steps_, particles_;
-  double start_time_, overlap_;
   std::vector<std::pair<std::string,std::string>> settings_;
+  double start_time_, overlap_, now_;
+  int pair_[2];  // tags of the two that overlap most
   std::vector<std::string> warnings_;
 };
 

@@ -20,6 +20,7 @@
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
+#include "runaway_watch.h"
 #include "session.h"
 #include "universe.h"
 #include "update.h"
@@ -81,6 +82,7 @@ void FixCoupleFoam::parse(int narg, char **arg)
   std::string stats;
   std::string law, drag = "sphereSum";
   double seconds = 1.0;
+  bool watch = true;
 
   int iarg = 3;
   while (iarg < narg) {
@@ -96,17 +98,22 @@ void FixCoupleFoam::parse(int narg, char **arg)
         error->all(FLERR,("Fix couple/foam: contact_limit is '" + value +
                           "'; yes or no is wanted").c_str());
       check_limit_ = value == "yes";
+    } else if (key == "watch") {
+      if (value != "yes" && value != "no")
+        error->all(FLERR,("Fix couple/foam: watch is '" + value + "'; yes or no is wanted").c_str());
+      watch = value == "yes";
     } else if (key == "clumpDrag") drag = value;
     else if (key == "shapeLaw") law = value;
     else
       error->all(FLERR,("Fix couple/foam: unknown keyword '" + key + "'; known are "
-                        "every, stats, progress, contact_limit, clumpDrag, shapeLaw").c_str());
+                        "every, stats, progress, contact_limit, watch, clumpDrag, shapeLaw").c_str());
     iarg += 2;
   }
   if (interval_ < 1)
     error->all(FLERR,"Fix couple/foam: 'every N' is missing; "
                      "N is the number of DEM steps between two exchanges");
   report_.reset(new CouplingReport(lmp,stats,seconds));
+  if (watch) watch_.reset(new RunawayWatch(lmp));
   parse_clump_drag(drag,law);
 }
 
@@ -236,10 +243,30 @@ void FixCoupleFoam::check_contact_limit()
   if (update->dt <= limit) return;
   char text[256];
   snprintf(text,sizeof text,
-           "Fix couple/foam: timestep %g s is above %.3g s, the contact limit of a clump '%s' at rest; "
+           "Fix couple/foam: timestep %g s is above %.3g s, the contact limit of %s at rest; "
            "take a smaller one, or a softer contact, or contact_limit no",
            update->dt,limit,which.c_str());
   error->all(FLERR,text);
+}
+
+/* ----------------------------------------------------------------------
+   charges can press spheres together harder than their contact holds
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::check_charges()
+{
+  const ChargedContact c = charged_contact(lmp);
+  if (c.impact <= 0.1) return;
+  char text[320], need[96];
+  snprintf(need,sizeof need,"with a stiffness of %.3g N/m in place of %.3g it would be 0.1 d",c.wanted,c.stiffness);
+  if (c.overlap > 1.) {
+    snprintf(text,sizeof text,"Fix couple/foam: the charges of types %d and %d pull their spheres into each other: the contact does not "
+             "hold them at any overlap; %s, or take smaller charges, or contact_limit no",c.first,c.second,need);
+    error->all(FLERR,text);
+  }
+  snprintf(text,sizeof text,"the charges of types %d and %d make spheres that come from afar overlap by up to %.2g d, at rest by %.2g d; %s",
+           c.first,c.second,c.impact,c.overlap,need);
+  report_->warn(text);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -310,7 +337,10 @@ void FixCoupleFoam::open()
 {
   dt_ = update->dt;
   check_interval();
-  if (check_limit_) check_contact_limit();
+  if (check_limit_) {
+    check_contact_limit();
+    check_charges();
+  }
   try {
     const clay::DemTerms mine = terms();
     if (session_) session_->resume(mine);
@@ -342,6 +372,7 @@ void FixCoupleFoam::setup_pre_force(int)
   if (idle_) return;
   report_->start();
   just_created = 0;  // else Modify::setup() calls set_arrays() and the first answer is lost
+  if (watch_) watch_->start();
   open();
   send(false);
   take_answer();
@@ -396,6 +427,7 @@ void FixCoupleFoam::restart(char *buf)
 void FixCoupleFoam::pre_exchange()
 {
   listed_ = -1;
+  if (watch_) watch_->places();
   if (pending_) take_answer();
 }
 
@@ -412,7 +444,9 @@ void FixCoupleFoam::post_force(int)
 
 void FixCoupleFoam::end_of_step()
 {
-  if (idle_ || (update->ntimestep - update->firststep) % interval_) return;
+  if (idle_) return;
+  if (watch_) watch_->step();
+  if ((update->ntimestep - update->firststep) % interval_) return;
   if (update->dt != dt_) {
     char text[192];
     snprintf(text,sizeof text,"Fix couple/foam: the timestep changed from %g to %g s within a run; "
@@ -429,5 +463,5 @@ void FixCoupleFoam::post_run()
 {
   if (idle_) return;
   if (pending_) take_answer();
-  report_->finish(*session_,interval_);
+  report_->finish(*session_,interval_,watch_ ? watch_->wall_overlap() : 0.);
 }

@@ -28,6 +28,7 @@ namespace LAMMPS_NS {
 
 class CoupledClumps;
 class CouplingReport;
+class RunawayWatch;
 
 class FixCoupleFoam : public Fix {
  public:
@@ -80,6 +81,7 @@ class FixCoupleFoam : public Fix {
   void check_interval();
   void check_order();
   void check_contact_limit();
+  void check_charges();
   void watch_contact_limit();
   clay::DemTerms terms();
   void open();
@@ -126,6 +128,7 @@ class FixCoupleFoam : public Fix {
   std::vector<double> shares_;   // impulse of each of them [N s]
   double last_time_;             // of the last exchange [s]
   std::unique_ptr<CouplingReport> report_;
+  std::unique_ptr<RunawayWatch> watch_;  // null when it is switched off
 };
 
 }

@@ -19,6 +19,7 @@
 #include "error.h"
 #include "fix_brownian.h"
 #include "memory.h"
+#include "runaway_watch.h"
 #include "session.h"
 #include "update.h"
 
@@ -43,6 +44,7 @@ void FixCoupleFoam::send(bool last)
   session_->send(sent_,last_time_,last,{{given_[0],given_[1],given_[2]}});
   pending_ = true;
   report_->exchange(*session_,last);
+  if (watch_) watch_->overlaps(report_->overlap(),report_->first(),report_->second());
 }
 
 /* ----------------------------------------------------------------------

@@ -41,6 +41,7 @@ class PairCoulClump : public Pair {
   double memory_usage();
 
   double cutoff() const { return law_.cutoff; }
+  const clay::CoulombLaw &law() const { return law_; }
   /// Charge of a sphere of an atom type [C].
   double charge(int type) const { return charge_[type]; }
   /// Steps between two evaluations.

@@ -190,3 +190,16 @@ TEST(ContactLimit, hookeModelAgainstTable)
   // 5 MPa and 0.45 against itself
   EXPECT_NEAR(effectiveModulus(5e6, 0.45, 5e6, 0.45), 3.134796e6, 1.0);
 }
+
+TEST(ContactLimit, attractedSpheresRestWhereTheSpringHoldsThem)
+{
+  const double d = 2e-3, k = 750;
+  for (double share : {1e-4, 0.02, 0.14}) {
+    const double pull = share * k * d * d * d, x = clay::attractedOverlap(pull, k, d);
+    EXPECT_NEAR(k * x * d, pull / (d * d * (1 - x) * (1 - x)), 1e-9 * k * d);
+    EXPECT_LT(x, 1.0 / 3.0);
+  }
+  EXPECT_NEAR(clay::attractedOverlap(4.0 / 27.0 * k * d * d * d * (1 - 1e-12), k, d), 1.0 / 3.0, 1e-5);
+  EXPECT_TRUE(std::isinf(clay::attractedOverlap(0.149 * k * d * d * d, k, d)));
+  EXPECT_EQ(clay::attractedOverlap(0, k, d), 0);
+}

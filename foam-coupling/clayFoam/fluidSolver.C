@@ -132,7 +132,6 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
     stopwatch watch(coupling.statistics().solving);
 
     const scalar interval = coupling.interval();
-    const label n = subSteps(interval);
     bool writeDue = false;
 
     if (fresh_)
@@ -146,13 +145,17 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
         fresh_ = false;
     }
 
-    for (label i = 0; i < n; ++i)
+    // a flow that grows within the interval gets shorter steps at once
+    scalar left = interval;
+    label n = subSteps(left);
+    while (n > 0)
     {
+        const scalar dt = left/n;
         runTime_.setEndTime(GREAT);
-        runTime_.setDeltaT(interval/n, false);
+        runTime_.setDeltaT(dt, false);
         runTime_.run();
         ++runTime_;
-        if (i == n - 1)
+        if (n == 1)
         {
             // the sum of the steps, without their rounding
             runTime_.setTime(coupling.endOfInterval(), runTime_.timeIndex());
@@ -172,8 +175,10 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
         coupling.statistics().courantMax = max
         (
             coupling.statistics().courantMax,
-            courantRate()*interval/n
+            courantRate()*dt
         );
+        left -= dt;
+        n = n > 1 ? subSteps(left) : 0;
         writeDue = runTime_.writeTime() || writeDue;
     }
 

@@ -131,3 +131,51 @@ TEST(ContactCheck, theHostBlowsUpWhereTheLimitSays)
     else EXPECT_GT(kinetic(host), 1e-8);
   }
 }
+
+// of the spheres there are the lightest decides; the bound is the contact sum's
+TEST(ContactCheck, sphereAtRest)
+{
+  Host host;
+  host(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") + stiff() + pressed());
+  std::string which;
+  const double limit = LAMMPS_NS::resting_step_limit(host.lmp.get(), &which);
+  EXPECT_EQ(which, "a sphere of type 1");
+  const double m = host.atoms()[0].rmass, r = 1e-3;
+  const LAMMPS_NS::ContactModel model(host.lmp.get());
+  clay::ContactSum sum(m, 0.4 * m * r * r);
+  sum.add(r * r, model.between(1, 1, m, r), true);
+  sum.add(r * r, model.between(1, 1, m, r), true);
+  sum.add(r * r, model.between(1, 1, m / 2, r / 2), false);
+  EXPECT_GE(limit, sum.step());
+  EXPECT_LT(limit, 2 * sum.step());
+
+  host("set type 2 diameter 1e-3\nset type 2 density 2600\nrun 0\n");
+  EXPECT_LT(LAMMPS_NS::resting_step_limit(host.lmp.get(), &which), 0.7 * limit);
+  EXPECT_EQ(which, "a sphere of type 2");
+}
+
+TEST(ContactCheck, chargesAgainstStiffness)
+{
+  Host host;
+  host(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") +
+       "fix p1 all property/global kn peratomtypepair 2 5000 5000 5000 5000\n"
+       "fix p2 all property/global kt peratomtypepair 2 5000 5000 5000 5000\n"
+       "fix p3 all property/global gamman peratomtypepair 2 4000 4000 4000 4000\n"
+       "fix p4 all property/global gammat peratomtypepair 2 4000 4000 4000 4000\n"
+       "fix p5 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
+       "pair_style hybrid/overlay gran model hooke/stiffness tangential history coul/clump 0.012\n"
+       "pair_coeff * * gran\npair_coeff 1 1 coul/clump 1e-8\npair_coeff 2 2 coul/clump -1e-8\n" + pressed());
+  const auto c = LAMMPS_NS::charged_contact(host.lmp.get());
+  EXPECT_EQ(c.first, 1);
+  EXPECT_EQ(c.second, 2);
+  const double pull = 8.9875517873681764e9 * 1e-16, d = 2e-3;
+  EXPECT_NEAR(c.overlap, clay::attractedOverlap(pull, 5000, d), 1e-12);
+  // from the cut-off to contact: all that potential energy in the spring
+  const double energy = pull * (1 / d - 1 / 0.012);
+  EXPECT_NEAR(c.impact, std::sqrt(2 * energy / 5000) / d, 1e-6);
+  EXPECT_NEAR(std::sqrt(2 * energy / c.wanted) / d, 0.1, 1e-6);
+
+  Host plain;
+  plain(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") + stiff() + pressed());
+  EXPECT_EQ(LAMMPS_NS::charged_contact(plain.lmp.get()).impact, 0);
+}

@@ -65,7 +65,8 @@ def internal_field(path, count):
     match = re.search(r"internalField\s+nonuniform\s+List<\w+>\s+(\d+)\s*\(", content)
     if not match:
         raise CaseError(f"{path}: no internal field in ascii")
-    end = content.index("\n)", match.end())
+    # a short list stands on one line
+    end = re.compile(r"\)\s*;").search(content, match.end()).start()
     body = content[match.end():end].replace("(", " ").replace(")", " ")
     values = np.array(body.split(), dtype=float)
     return values.reshape(int(match.group(1)), -1)

@@ -1,0 +1,198 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""validation/stress: maps where coupled runs stay bounded, and where they are refused."""
+
+import argparse
+import csv
+import hashlib
+import json
+import os
+import re
+import shutil
+import signal
+import sys
+import threading
+import time
+from collections import Counter
+
+import coupled
+import stress_design
+import stress_run
+
+import runkey
+from casefile import CaseError
+from program import guarded
+
+OUTCOMES = ("bounded", "refused", "failed")
+
+
+def parser():
+    p = argparse.ArgumentParser(
+        prog="validation/stress", allow_abbrev=False,
+        description="Maps the stability of coupled runs: each ends bounded, is refused with a reason, or has failed.",
+        epilog="A map that was interrupted goes on where it was; programs or scenes that changed begin a new one.")
+    p.add_argument("--runs", type=int, metavar="N", help="only N runs, of all parts of the map")
+    p.add_argument("--json", metavar="FILE", help="write the runs as a list of objects, too")
+    p.add_argument("--out", metavar="DIR", help="where runs, table and picture go (results/stress)")
+    p.add_argument("--jobs", type=int, default=max(1, len(os.sched_getaffinity(0))), metavar="J",
+                   help="runs at once (the cores)")
+    p.add_argument("--fresh", action="store_true", help="make every run anew")
+    p.add_argument("--only", metavar="ID", action="append", help="make these runs anew and keep their folders")
+    return p
+
+
+def identity(point):
+    """A short name of a point."""
+    return hashlib.sha256(repr(sorted(point.items())).encode()).hexdigest()[:8]
+
+
+def version():
+    """A hash of what decides the outcomes: programs, scene, sample, bounds."""
+    case = stress_run.casefile.Case(stress_run.CASE)
+    found = {"programs": runkey.programs(), "inputs": runkey.inputs(case), "values": case.values}
+    for module in (stress_design, stress_run, stress_run.stress_bounds):
+        with open(module.__file__, "rb") as f:
+            found[module.__name__] = hashlib.sha256(f.read()).hexdigest()
+    return hashlib.sha256(json.dumps(found, sort_keys=True).encode()).hexdigest()[:16]
+
+
+def kept(path, now):
+    """The rows that an interrupted map of the same version has left, by name."""
+    rows = {}
+    try:
+        with open(path, encoding="utf-8") as f:
+            for line in f:
+                try:
+                    row = json.loads(line)
+                except ValueError:  # cut off in the middle
+                    continue
+                if row.pop("version", None) == now:
+                    rows[row["id"]] = row
+    except OSError:
+        pass
+    return rows
+
+
+class Map:
+    """The runs, several at once, each noted as soon as it has ended."""
+
+    def __init__(self, out, jobs, keep):
+        self.out, self.jobs, self.keep = out, jobs, keep
+        self.store = os.path.join(out, "runs.jsonl")
+        self.version = version()
+        self.lock = threading.Lock()
+        self.rows = {}
+
+    def go(self, points, fresh, terminal=sys.stdout.isatty()):
+        wanted = {identity(p): p for p in points}
+        self.rows = {} if fresh else {k: r for k, r in kept(self.store, self.version).items() if k in wanted}
+        waiting = [(k, p) for k, p in wanted.items() if k not in self.rows]
+        if self.rows:
+            print(f"{len(self.rows)} of {len(wanted)} runs are there already", flush=True)
+        else:
+            open(self.store, "w", encoding="utf-8").close()
+        self.began, self.made, self.total = time.monotonic(), 0, len(waiting)
+        self.told, self.terminal = self.began, terminal
+        threads = [threading.Thread(target=self._work, args=(waiting,), daemon=True) for _ in range(self.jobs)]
+        for t in threads:
+            t.start()
+        for t in threads:
+            while t.is_alive():
+                t.join(0.2)
+        if self.terminal and self.total:
+            print()
+        return [self.rows[k] for k in wanted]
+
+    def _work(self, waiting):
+        while True:
+            with self.lock:
+                if not waiting:
+                    return
+                name, point = waiting.pop(0)
+            began = time.monotonic()
+            try:
+                row = stress_run.one(point, os.path.join(self.out, "runs", name), self.keep)
+            except Exception as e:  # a run that breaks the driver has failed; the others go on
+                row = {**point, "outcome": "failed", "reason": f"{type(e).__name__}: {e}"}
+            row = {"id": name, **row, "wall_s": round(time.monotonic() - began, 3)}
+            with self.lock:
+                self.rows[name] = row
+                self.made += 1
+                with open(self.store, "a", encoding="utf-8") as f:
+                    f.write(json.dumps({"version": self.version, **row}) + "\n")
+                self._tell()
+
+    def _tell(self):
+        now = time.monotonic()
+        if now - self.told < (0.5 if self.terminal else 15) and self.made < self.total:
+            return
+        self.told = now
+        left = (now - self.began) / self.made * (self.total - self.made)
+        count = Counter(r["outcome"] for r in self.rows.values())
+        line = (f"run {self.made} of {self.total}, ETA {int(left) // 60}:{int(left) % 60:02d}  "
+                + ", ".join(f"{count[o]} {o}" for o in OUTCOMES))
+        print(("\r" + line) if self.terminal else line, end="" if self.terminal else "\n", flush=True)
+
+
+def kind(reason):
+    """A reason without its numbers, to count it."""
+    return re.sub(r"[-+]?\d[\d.]*(e[-+]?\d+)?", "#", reason)[:110]
+
+
+def write(out, rows, target=None):
+    keys = list(dict.fromkeys(k for r in rows for k in r))
+    with open(os.path.join(out, "stress.csv"), "w", encoding="utf-8", newline="") as f:
+        table = csv.DictWriter(f, keys, lineterminator="\n")
+        table.writeheader()
+        table.writerows({k: ("; ".join(map(str, v)) if isinstance(v, list) else v) for k, v in r.items()} for r in rows)
+    for path in [os.path.join(out, "stress.json")] + ([target] if target else []):
+        with open(path, "w", encoding="utf-8") as f:
+            json.dump(rows, f, indent=1)
+            f.write("\n")
+
+
+def main():
+    args = parser().parse_args()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+    if args.runs is not None and args.runs < 1:
+        raise CaseError(f"--runs {args.runs}: at least one is wanted")
+    if args.jobs < 1:
+        raise CaseError(f"--jobs {args.jobs}: at least one is wanted")
+    out = os.path.abspath(args.out or os.path.join(coupled.TOP, "results", "stress"))
+    os.makedirs(os.path.join(out, "runs"), exist_ok=True)
+    points = stress_design.design(args.runs)
+    if args.only:
+        known = {identity(p): p for p in stress_design.design()}
+        unknown = [k for k in args.only if k not in known]
+        if unknown:
+            raise CaseError(f"--only {unknown[0]}: no such run; the column id of stress.csv names them")
+        for name in args.only:
+            row = stress_run.one(known[name], os.path.join(out, "runs", name), keep=True)
+            print(json.dumps({"id": name, **row}, indent=1))
+        return 0
+    if args.fresh:
+        shutil.rmtree(os.path.join(out, "runs"), ignore_errors=True)
+        os.makedirs(os.path.join(out, "runs"))
+    began = time.monotonic()
+    rows = Map(out, args.jobs, keep=False).go(points, args.fresh)
+    write(out, rows, args.json)
+    import stress_picture
+    stress_picture.draw(os.path.join(out, "stress.png"), rows)
+    print(report(rows))
+    print(f"{time.monotonic() - began:.0f} s; results in {out}")
+    return 1 if any(r["outcome"] == "failed" for r in rows) else 0
+
+
+def report(rows):
+    """Counts by outcome, reasons, and the warnings of accuracy."""
+    count = Counter(r["outcome"] for r in rows)
+    lines = [f"{len(rows)} runs: " + ", ".join(f"{count[o]} {o}" for o in OUTCOMES)]
+    for outcome in OUTCOMES[1:]:
+        for why, n in Counter(kind(r["reason"]) for r in rows if r["outcome"] == outcome).most_common():
+            lines.append(f"  {outcome} {n:>4}  {why}")
+    for why, n in Counter(kind(w) for r in rows for w in r.get("warnings", [])).most_common():
+        lines.append(f"  warned  {n:>4}  {why}")
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    sys.exit(guarded(main, "validation/stress"))

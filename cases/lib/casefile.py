@@ -21,7 +21,7 @@ _NEEDED = {
     "curve_rows": {"min": 1, "whole": True},
     "seed": {"min": 1, "whole": True},
 }
-_ENTRIES = ("value", "unit", "is", "choices", "or", "min", "max", "above", "below", "whole", "followed")
+_ENTRIES = ("value", "unit", "is", "choices", "or", "min", "max", "above", "below", "whole", "followed", "sets")
 _PARTS = ("title", "like", "set", "parameters")
 _MOST_STEPS = 2**31 - 1  # LIGGGHTS counts the steps of a run in 32 bits
 
@@ -115,15 +115,25 @@ class Case:
                 self.parameters[key] = dict(entry)
                 self.values[key] = entry["value"]
                 self._check(key, entry["value"], entry["value"])
+                self._check_sets(key, entry)
             for key, value in found.get("set", {}).items():
                 if key not in self.values:
                     raise CaseError(f"set: {nearest(key, list(self.values), 'key')}")
+                if "sets" in self.parameters[key]:
+                    raise CaseError(f"set: {key} stands for other keys; set those")
                 self._check(key, value, value)
                 self.values[key] = value
         except CaseError as e:
             raise CaseError(f"{path}: {e}") from None
         except (TypeError, AttributeError) as e:
             raise CaseError(f"{path}: {e}") from None
+
+    @staticmethod
+    def _check_sets(key, entry):
+        """Refuses an entry `sets` that is not {choice: {key: value}} of all choices."""
+        if "sets" in entry and (sorted(entry["sets"]) != sorted(entry.get("choices", [])) or entry["sets"][entry["value"]]):
+            raise CaseError(f"{key}: sets: an object for each of the choices is wanted, "
+                            f"an empty one for {entry['value']}")
 
     def _check(self, key, value, shown):
         """Refuses a value that is not what its entry in case.json asks for."""

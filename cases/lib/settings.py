@@ -5,6 +5,9 @@ A parameter marked `followed` in case.json decides nothing by itself, only what
 follows it by a word: solids the solid fraction, and that the number of clumps.
 Where a follower holds a number of the case, it is made to follow; where it was
 set to one as well, the setting is refused.
+
+A parameter with `sets`, as accuracy, stands for values of others; what is set
+by its own name wins.
 """
 
 import os
@@ -66,6 +69,10 @@ def _shown(value):
 def apply(case, given, tell=None):
     """Sets the values in the case; gives them with what follows, first. What
     follows is said in one line to tell."""
+    stood_for = several(case, given)
+    if stood_for and tell:
+        tell("set, too: " + ", ".join(f"{k} = {_shown(v)}" for k, v in stood_for.items()))
+    given = {**stood_for, **given}
     for key, value in given.items():
         case.set(key, _shown(value))
     more = follow(case, given)
@@ -74,6 +81,25 @@ def apply(case, given, tell=None):
     if more and tell:
         tell(said(more))
     return {**more, **given}
+
+
+def several(case, given):
+    """What keys of `given` that stand for others (case.json: sets) make of
+    those, as {key: value}; "*2" is twice what the case has."""
+    found = {}
+    for key, word in given.items():
+        choices = case.parameters.get(key, {}).get("sets", {})
+        for other, value in choices.get(word, {}).items():
+            if other in given:
+                continue
+            if other not in case.values:
+                raise CaseError(f"{key} = {word}: case {case.name} has no key {other} for it to set")
+            if isinstance(value, str) and value.startswith("*"):
+                value = float(value[1:]) * case.values[other]
+                if case.parameters[other].get("whole"):
+                    value = max(1, round(value))
+            found[other] = value
+    return found
 
 
 def said(more):

@@ -60,6 +60,19 @@ class SettingsTest(unittest.TestCase):
             with self.assertRaisesRegex(CaseError, says):
                 applied(name, *words)
 
+    def test_accuracy_stands_for_others(self):
+        case = applied("clump-full", "accuracy=fast")[0]
+        plain = Case("clump-full").values
+        self.assertEqual(case.values["coupling_steps"], 2 * plain["coupling_steps"])
+        self.assertEqual(case.values["coulomb_steps"], 2 * plain["coulomb_steps"])
+        case = applied("sphere-half", "stiffness=1e4", "accuracy=reference")[0]
+        self.assertEqual((case.values["stiffness"], case.values["coupling_steps"]), (1e4, 200))
+        case, changes, _ = applied("clump-half", "accuracy=balanced")
+        self.assertEqual({**case.values, "accuracy": "balanced"}, Case("clump-half").values)
+        self.assertEqual(changes, {"accuracy": "balanced"})
+        with self.assertRaisesRegex(CaseError, "accuracy = quick: one of fast, balanced, reference is wanted"):
+            applied("clump-half", "accuracy=quick")
+
     def test_folder(self):
         with tempfile.TemporaryDirectory() as top:
             self.assertTrue(os.path.isdir(settings.folder(os.path.join(top, "a", "b"))))

@@ -1,0 +1,141 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests of validation/bench: errors, front, ratios, plan, targets' arithmetic."""
+
+import json
+import os
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+import numpy as np
+
+import bench_curve
+import bench_main
+import bench_plan
+import bench_run
+import bench_targets
+
+sys.path.insert(1, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "cases", "lib"))
+import casefile  # noqa: E402
+
+
+def line(slope, offset=0.0, end=2.0, n=21):
+    t = np.linspace(0, end, n)
+    return {"time_s": t, "interface_m": 1 - slope * t + offset, "mean_height_m": 0.5 - slope * t}
+
+
+class Curves(unittest.TestCase):
+    def test_difference(self):
+        self.assertEqual(bench_curve.difference(line(0.1), line(0.1)), 0)
+        # all is lower by 0.01 where 0.2 were sunk
+        self.assertAlmostEqual(bench_curve.difference(line(0.1, -0.01), line(0.1)), 0.05)
+        # other times, and a reference that goes on: only what both have
+        self.assertAlmostEqual(bench_curve.difference(line(0.1, -0.01, 1.0, 7), line(0.1)), 0.05)
+        with self.assertRaisesRegex(ValueError, "has not sunk at all"):
+            bench_curve.difference(line(0.1), line(0.0))
+
+    def test_spread_is_the_standard_deviation(self):
+        found = bench_curve.spread([line(0.1, 0.01), line(0.1, -0.01)])
+        self.assertAlmostEqual(found, np.std([0.01, -0.01], ddof=1) / 0.2)
+        with self.assertRaisesRegex(ValueError, "two curves"):
+            bench_curve.spread([line(0.1)])
+
+    def test_front(self):
+        points = [(1.0, 0.01), (0.5, 0.02), (2.0, 0.005), (1.5, 0.02), (0.5, 0.03)]
+        self.assertEqual(bench_curve.front(points), [True, True, True, False, False])
+        self.assertEqual(bench_curve.front([(1, 1), (1, 1)]), [True, True])
+        # below the floor errors are all alike, and the fastest wins
+        self.assertEqual(bench_curve.front(points, 0.01), [True, True, False, False, False])
+        self.assertEqual(bench_curve.front(points, 1), [False, True, False, False, True])
+
+    def test_ratios(self):
+        self.assertEqual(bench_curve.ratios([2.0, 3.0], [1.0, 3.0, 3.0]), [1.0, 1.0])
+        with self.assertRaises(ValueError):
+            bench_curve.ratios([1.0], [1.0])
+
+
+class Plan(unittest.TestCase):
+    def test_every_point_is_a_case(self):
+        for name in bench_plan.CASES:
+            values = casefile.Case(name).values
+            seen = set()
+            for setting, _, changes in bench_plan.settings(values):
+                case = casefile.Case(name)
+                bench_run_settings(case, changes)
+                seen.add(setting)
+                if setting in ("dem_step", "stiffness"):  # the coupling interval stays
+                    self.assertAlmostEqual(case.values["dem_step"] * case.values["coupling_steps"],
+                                           values["dem_step"] * values["coupling_steps"], delta=0.21e-4)
+            self.assertLessEqual({"dem_step", "stiffness", "coupling_steps", "overlap", "void_fraction", "mesh",
+                                  "tolerance", "accuracy"}, seen)
+            self.assertEqual("cutoff" in seen and "coulomb_steps" in seen, name == "clump-half")
+            quick = bench_plan.settings(values, quick=True)
+            self.assertLess(len(quick), 14)
+
+    def test_stiffer_keeps_the_interval_and_resolves_the_contact(self):
+        made = bench_plan.stiffer({"stiffness": 100, "dem_step": 1e-5, "coupling_steps": 20}, 25)
+        self.assertEqual(made, {"stiffness": 2500, "dem_step": 2e-6, "coupling_steps": 100})
+
+    def test_window_is_whole_intervals(self):
+        self.assertAlmostEqual(bench_main.fitted(0.1, {"dem_step": 3e-5, "coupling_steps": 10}, {}), 0.0999)
+        self.assertAlmostEqual(bench_main.fitted(1e-9, {"dem_step": 3e-5, "coupling_steps": 10}, {}), 3e-4)
+
+
+def bench_run_settings(case, changes):
+    import settings
+    settings.apply(case, changes)
+
+
+class Targets(unittest.TestCase):
+    def test_steps(self):
+        rows = [(0, 0.0), (500, 5.0), (900, 8.0), (1000, 8.2)]
+        self.assertAlmostEqual(bench_targets.last_step(rows), 0.002)
+        self.assertAlmostEqual(bench_targets.mean_step(rows), 0.0082)
+
+    def test_stock_script(self):
+        path = os.path.join(casefile.CASES, "clump-half", "in.liggghts")
+        with open(path, encoding="utf-8") as f:
+            text = bench_targets.stock_clumps(f.read())
+        for ours in ("gran/lean", "coul/clump", "multisphere/clump"):
+            self.assertNotIn(ours, text)
+        for stock in ("pair_style gran model hooke/stiffness tangential history\n", "pair_coeff * *\n",
+                      "fix bodies all multisphere\n"):
+            self.assertIn(stock, text)
+
+    def test_what_is_missing_is_not_met(self):
+        def fast(_):
+            return 0.2, "so"
+
+        def gone(_):
+            raise bench_targets.Missing("no such case")
+
+        def inaccurate(_):
+            return 0.2, "error 3 %", False
+
+        with mock.patch.object(bench_targets, "TARGETS", (("a", 0.3, fast), ("b", 1.0, gone), ("c", 1.0, inaccurate),
+                                                          ("d", 0.1, fast))):
+            rows = bench_targets.measure(True, False, lambda _: None)
+        self.assertEqual([r["passed"] for r in rows], [True, False, False, False])
+        self.assertEqual(rows[1]["measured"], None)
+        self.assertEqual(rows[1]["note"], "not measured: no such case")
+        self.assertIn("MISSED b", bench_targets.table(rows))
+
+
+class History(unittest.TestCase):
+    def test_a_change_is_seen(self):
+        row = {"case": "x", "setting": "baseline", "value": "as shipped", "wall_s": 2.0, "error": 0.01}
+        with tempfile.TemporaryDirectory() as top, mock.patch.object(bench_run, "PLACE", top), \
+                mock.patch.object(bench_main.runkey, "programs", lambda: {"a": 1}):
+            self.assertIn("nothing was kept", bench_main.history("settings", False, [row], 1.0))
+            # another load of the machine alone is no change
+            same = bench_main.history("settings", False, [{**row, "wall_s": 4.0}], 2.0)
+            self.assertIn("2, was 2 (+0 %)", same)
+            self.assertIn("the same programs", same)
+            self.assertIn("1, was 2 (-50 %)", bench_main.history("settings", False, [{**row, "wall_s": 1.0}], 1.0))
+            with open(os.path.join(top, "history.jsonl"), encoding="utf-8") as f:
+                self.assertEqual(len([json.loads(x) for x in f]), 3)
+
+
+if __name__ == "__main__":
+    unittest.main()

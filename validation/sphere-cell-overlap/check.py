@@ -43,7 +43,7 @@ def run(checks):
     checks.close("cells: sum of the field over all cells [m3]", np.sum(solid), spheres, 1e-9)
 
     # the tube's mesh is a polygon in which the DEM's cylinder does not quite fit
-    tube = ("--end", "0.01", "--set", "frames=1")
+    tube = ("--end", "0.005", "--set", "frames=1")
     for case, scheme, ranks, more in (
             ("overlap-scene", "exactOverlap", "2", ()), ("overlap-scene", "divided", "2", ()),
             ("sphere-half", "exactOverlap", "1", tube), ("sphere-half", "exactOverlap", "2", tube),
@@ -54,9 +54,9 @@ def run(checks):
                                   "--cfd", ranks, "--set", f"void_fraction={scheme}", *more)
         checks.at_most(f"{scheme}, {where}, 1 + {ranks} ranks: sum of the cells over that of the spheres, less 1",
                        coupled.summary(folder)["max_void_fraction_volume_error"], 1e-12)
-    shown = r["overlap_m3"] > 0
+    shown = (r["overlap_m3"] > 0) & (r["case"] != "engulf")
     checks.picture(plots.compare(
         os.path.join(coupled.RUNS, "sphere-cell-overlap", "overlap.png"),
         [("exactOverlap", np.flatnonzero(shown), np.abs(found / np.where(shown, r["overlap_m3"], 1) - 1)[shown] + 1e-17, "dots"),
          ("gate", [0, len(found)], [1e-9, 1e-9], "dashed")],
-        "row of the table", "relative error of the overlap (engulf: voidFractionMin)", "sphere and cell", logy=True))
+        "row of the table", "relative error of the overlap", "sphere and cell", logy=True))

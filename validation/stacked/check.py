@@ -25,7 +25,7 @@ def run(checks):
                        np.max(np.abs(found - wanted)) / reach, 0.01)
         checks.close(f"{name} sphere: reach of its motion [m]", np.ptp(found), reach, 0.01)
         checks.close(f"{name} sphere: height at the end [m]", found[-1], wanted[-1], 0.01)
-        curves += [(name, np.array(t["time_s"]) * 1e3, np.array(t[f"z{k}_m"]) * 1e3, "line"),
-                   (f"{name}, reference", r["time_s"] * 1e3, wanted * 1e3, "dots")]
+        curves += [(name, np.array(t["time_s"]) * 1e3, 1e6 * (np.array(t[f"z{k}_m"]) - wanted[0]), "line"),
+                   (f"{name}, reference", r["time_s"] * 1e3, 1e6 * (wanted - wanted[0]), "dots")]
     checks.picture(plots.compare(os.path.join(coupled.RUNS, "stacked", "height.png"), curves, "time [ms]",
-                                 "height of the centre [mm]", "two squeezed spheres, e = 1"))
+                                 "height over that at the start [um]", "two squeezed spheres, e = 1"))

@@ -50,6 +50,8 @@ class Run:
     def exports(self):
         """The environment of both halves, besides the user's own."""
         names = dict(openfoam.environment())
+        if "CLAYFOAM_CACHE" not in os.environ:  # resistances of clumps belong to the project, not into the user's home
+            names["CLAYFOAM_CACHE"] = os.path.join(TOP, "build", "resistance")
         if os.geteuid() == 0:
             names["OMPI_ALLOW_RUN_AS_ROOT"] = names["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1"
         if self.dem + self.cfd > cores():

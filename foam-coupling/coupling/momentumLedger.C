@@ -208,9 +208,9 @@ Foam::scalarField Foam::momentumLedger::follow
         const scalar inertia =
             mass_[celli] + f*addedDensity + K_[celli]*interval_;
 
-        if (mass_[celli] > VSMALL && 4*answer > inertia)
+        if (mass_[celli] > VSMALL && answer > inertia)
         {
-            part[celli] = inertia/(4*answer);
+            part[celli] = inertia/answer;
         }
     }
     return part;

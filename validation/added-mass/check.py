@@ -45,9 +45,9 @@ def suspension(t, rho_p, phi, cm=CM):
     return solve_ivp(rate, (0, t[-1]), [0.0], t_eval=t, rtol=1e-9, atol=1e-13).y[0]
 
 
-def column(where, density, forces, steps):
+def column(where, density, forces, steps, *more):
     words = [w for s in ("top=wall", "stagger=1", "across_z=23", "dem_step=1e-5", "end=0.02", f"density={density}",
-                         f"forces={forces}", f"coupling_steps={steps}") for w in ("--set", s)]
+                         f"forces={forces}", f"coupling_steps={steps}", *more) for w in ("--set", s)]
     folder = coupled.finished("lattice-scene", os.path.join("added-mass", where), "--no-pictures", *words)
     m = coupled.columns(os.path.join(folder, "DEM", "means.csv"))
     return folder, np.array(m["t"]), np.array(m["v_middle"])
@@ -70,7 +70,7 @@ def run(checks):
     dense = []
     for name, density, forces, cm, gate in (("heavy", 2600, with_it, CM, 0.01),
                                             ("heavy-without", 2600, "pressureGradient+buoyancy", 0.0, 0.01),
-                                            ("light-2", 100, with_it, CM, 0.02)):
+                                            ("light-2", 100, with_it, CM, 0.01)):
         folder, t, v = column(name, density, forces, 2 if name == "light-2" else 10)
         exact = suspension(t, density, phi, cm)
         worst = float(np.abs(v - exact).max() / np.abs(exact).max())
@@ -86,6 +86,11 @@ def run(checks):
     folder, t, v = column("lightest", 1, with_it, 20)
     checks.at_most("ratio 0.001: largest speed, over the end's", float(np.abs(v).max() / suspension(t, 1, phi)[-1]), 1.05)
     checks.close("ratio 0.001: speed at the end [m/s]", v[-1], suspension(t, 1, phi)[-1], 0.02)
+    # G of Foam::momentumLedger::follow is four times the inertia there
+    packed, phi_packed = ("spacing=2.1e-3", "size_x=0.0168", "size_y=0.0168", "size_z=0.0504"), 4 / 3 * np.pi * 1e-9 / 2.1e-3**3
+    fast = np.abs(column("packed", 1, with_it, 20, *packed)[2]).max()
+    checks.at_most("ratio 0.001 at a solid fraction of 0.45: largest speed, over the end's",
+                   float(fast / suspension(t, 1, phi_packed)[-1]), 1.1)
     dense += [("ratio 0.001, Cm 0.5", t, v, "line"), (None, t, suspension(t, 1, phi), "dashed")]
 
     where = os.path.join(coupled.RUNS, "added-mass")

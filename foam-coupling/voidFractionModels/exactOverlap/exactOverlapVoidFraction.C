@@ -2,6 +2,7 @@
 
 #include "exactOverlapVoidFraction.H"
 #include "cellGeometry.H"
+#include "cyclicPolyPatch.H"
 #include "faceFacets.H"
 #include "addToRunTimeSelectionTable.H"
 #include "mathematicalConstants.H"
@@ -21,6 +22,75 @@ namespace voidFractionModels
 
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+Foam::List<Foam::vector> Foam::voidFractionModels::exactOverlap::images
+(
+    const fvMesh& mesh
+)
+{
+    DynamicList<vector> found(26);
+
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        const auto* cyclic = isA<cyclicPolyPatch>(patch);
+        if
+        (
+            cyclic && cyclic->owner() && cyclic->size()
+         && cyclic->parallel() && cyclic->separated()
+        )
+        {
+            // with those there are already: through edges and corners
+            const vector way(cyclic->separation()[0]);
+            for (label k = found.size() - 1; k >= 0; --k)
+            {
+                const vector other(found[k]);
+                found.append(other + way);
+                found.append(other - way);
+            }
+            found.append(way);
+            found.append(-way);
+        }
+    }
+
+    return List<vector>(std::move(found));
+}
+
+
+void Foam::voidFractionModels::exactOverlap::next() const
+{
+    if (++sphere_ == labelMax)
+    {
+        // long runs come round
+        cuts_ = cut{-1, sphereFacet::apart, 0, false, 0, false, 0};
+        reached_ = -1;
+        sphere_ = 0;
+    }
+    front_.clear();
+}
+
+
+void Foam::voidFractionModels::exactOverlap::append
+(
+    dispersedParticles& p,
+    const faceFacets& facets,
+    const point& centre,
+    const scalar R,
+    const label home
+) const
+{
+    const scalar ball = 4.0/3*constant::mathematical::pi*pow3(R);
+
+    for (const label celli : front_)
+    {
+        const scalar w = overlap(facets, celli, centre, R)/ball;
+        if (w > 0 || celli == home)
+        {
+            p.cellIndex.append(celli);
+            p.weight.append(w);
+        }
+    }
+}
+
 
 bool Foam::voidFractionModels::exactOverlap::shared(const label facei) const
 {
@@ -209,7 +279,8 @@ Foam::voidFractionModels::exactOverlap::exactOverlap
     voidFractionModel(dict, mesh, typeName),
     sphere_(0),
     cuts_(mesh.nFaces(), cut{-1, sphereFacet::apart, 0, false, 0, false, 0}),
-    reached_(mesh.nCells(), -1)
+    reached_(mesh.nCells(), -1),
+    images_(images(mesh))
 {}
 
 
@@ -231,17 +302,9 @@ void Foam::voidFractionModels::exactOverlap::weights
     {
         const point& x = p.position[i];
         const scalar R = p.radius[i];
-        const scalar ball = 4.0/3*constant::mathematical::pi*pow3(R);
         const label home = p.cell[i];
 
-        if (++sphere_ == labelMax)
-        {
-            // long runs come round
-            cuts_ = cut{-1, sphereFacet::apart, 0, false, 0, false, 0};
-            reached_ = -1;
-            sphere_ = 0;
-        }
-        front_.clear();
+        next();
 
         if
         (
@@ -275,13 +338,24 @@ void Foam::voidFractionModels::exactOverlap::weights
             }
         }
 
-        for (const label celli : front_)
+        append(p, facets, x, R, home);
+
+        for (const vector& way : images_)
         {
-            const scalar w = overlap(facets, celli, x, R)/ball;
-            if (w > 0 || celli == home)
+            const point y(x + way);
+            nearby_.clear();
+            if (mesh_.bounds().overlaps(y, sqr(R)))
             {
-                p.cellIndex.append(celli);
-                p.weight.append(w);
+                geometry.near(y, R, nearby_);
+            }
+            if (nearby_.size())
+            {
+                next();
+                for (const label celli : nearby_)
+                {
+                    reach(celli);
+                }
+                append(p, facets, y, R, -1);
             }
         }
         p.offset[i + 1] = p.weight.size();

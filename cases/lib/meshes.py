@@ -4,7 +4,6 @@ polyhedra dual to these. From the hexahedra in polyMesh, in ascii."""
 
 import os
 import re
-import shutil
 
 import numpy as np
 
@@ -32,9 +31,9 @@ def change(kind, cfd, v):
     _tetrahedra(mesh, counts, sizes)
     if kind == "poly":
         openfoam.run("polyDualMesh", cfd, "60", "-concaveMultiCells", "-overwrite")
-        for name in os.listdir(cfd):  # it may leave a time folder beside
-            if re.fullmatch(r"[\d.e-]+", name) and name != "0":
-                shutil.rmtree(os.path.join(cfd, name))
+        for name in os.listdir(cfd):  # what it found, to look at
+            if name.endswith(".obj"):
+                os.remove(os.path.join(cfd, name))
 
 
 def _grid(counts, sizes):

@@ -25,9 +25,10 @@ def run(program, case, *options):
     """Runs one of OpenFOAM's serial programs; its output goes to a log."""
     if not shutil.which(program):
         raise CaseError(f"OpenFOAM's {program} is not on the PATH")
+    case = os.path.abspath(case)
     log = os.path.join(case, "log." + program)
     with open(log, "w", encoding="utf-8") as f:
-        status = subprocess.run([program, "-case", case, *options], stdout=f, check=False,
+        status = subprocess.run([program, "-case", case, *options], stdout=f, check=False, cwd=case,
                                 stderr=subprocess.STDOUT, env={**os.environ, **environment()}).returncode
     if status:
         raise CaseError(f"{program} failed: {error_line(log)} (log in {log})")
@@ -79,7 +80,7 @@ def cell_centres(mesh):
     owner = _list(os.path.join(mesh, "owner")).astype(int)
     neighbour = _list(os.path.join(mesh, "neighbour")).astype(int)
     with open(os.path.join(mesh, "faces"), encoding="utf-8") as f:
-        faces = [[int(x) for x in m.split()] for m in re.findall(r"\d+\(([\d ]+)\)", f.read())]
+        faces = [[int(x) for x in m.split()] for m in re.findall(r"\d+\s*\(([\d\s]+)\)", f.read())]
     centre = np.array([points[face].mean(axis=0) for face in faces])
     cells = owner.max() + 1
     total, count = np.zeros((cells, 3)), np.zeros(cells)

@@ -14,6 +14,7 @@ from casefile import CASES, TOP, CaseError, text
 
 # what a run leaves behind; removed when its folder is used again
 _REMAINS = ("DEM", "CFD", "alone", "dem.json", "summary.json", "settling.csv", "stages.json", "*.png",
+            "pressure_drop.csv", "bed.json",
             "*.liggghts", "packing.*", "packmol", "log.liggghts", "run.sh", "DEM.pvd",
             "restart_forced_liggghts_*.data")  # LIGGGHTS's, when it is interrupted
 _MARK = "case.txt"

@@ -154,7 +154,13 @@ def finish(case, run, derived, alone=False, pictures=True):
         arrays = {k: np.array([float(r[k]) for r in rows]) for k in rows[0]}
         draw.settling(run.folder, arrays, scale, case.title)
         draw.columns(run.folder, v, case.title)
-    print(table(s))
+    more = ""
+    if pictures and settled and v.get("velocity_to", 0) > v.get("velocity_from", 0) and v["bottom"] == "inlet":
+        import beds
+        import numpy as np
+        arrays = {k: np.array([float(r[k]) for r in rows]) for k in rows[0]}
+        more = "".join(f"\n  {a:<14}{b}" for a, b in beds.finish(run.folder, {**v, **derived}, arrays, case.title))
+    print(table(s) + more)
     for warning in s["warnings"]:
         print(f"  warning: {warning}")
     shown = os.path.relpath(run.folder, os.getcwd())

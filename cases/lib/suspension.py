@@ -74,7 +74,9 @@ def resolve(values):
         if named == "auto":
             named = "pressureGradient+buoyancy" if values["model"] == "A" else "buoyancy"
         found["force_models"] = "(" + named.replace("+", " ").replace("none", "") + ")"
-    found["non_orthogonal"] = 0 if values.get("mesh", "hex") == "hex" else 2
+    plain = values.get("mesh", "hex") == "hex"
+    found["non_orthogonal"] = 0 if plain else 2
+    found["grad_scheme"] = "Gauss linear" if plain else "leastSquares"  # exact where cells are skew, too
     if "size_x" in values:
         found.update(_box(values))
         found["prime"] = prime(values["seed"])

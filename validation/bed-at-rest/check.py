@@ -40,7 +40,7 @@ def run(checks):
         checks.at_most(f"{name}: momentum residual", coupled.summary(folder)["max_momentum_residual"], 1e-10)
         curves.append((name, t, push / _WEIGHT, "line"))
         # spheres as heavy as the fluid, none touching: gravity and buoyancy cancel
-        words = [w for x in (f"model={model}", f"top={top}", "bottom=wall", "held=0", "density=10", "velocity_from=0",
+        words = [w for x in (f"model={model}", f"top={top}", "bottom=wall", "held=0", "fluid_density=2000", "velocity_from=0",
                              "velocity_to=0", "end=0.02") for w in ("--set", x)]
         still = coupled.finished("ergun-fixed-bed", "bed-at-rest/neutral-" + model, *words)
         speed, p = _flow(still)

@@ -29,9 +29,7 @@ def run(checks):
                                   f"solid_fraction={phi}", "--set", f"end={end}", "--set", f"frames={dumps}", limit=3000)
         row = int(np.argmin(np.abs(table["phi0"] - phi)))
         exact = {k: float(table[k][row]) for k in ("V_upper_over_vt", "S_bed_over_vt", "t_c_vt_over_H")}
-        t, upper, _ = fronts.fronts(folder, STEP, AREA, H, 0.5 * phi, 0.5 * phi)
-        rest = float(np.mean(upper[t > 0.97 * t[-1]]))
-        phi_m = phi * H / rest
+        phi_m = fronts.packed(folder, STEP, AREA, H)
         t, upper, bed = fronts.fronts(folder, STEP, AREA, H, 0.5 * phi, 0.5 * (phi + phi_m))
         # the same flux with the bed that this run has; phi_m is no part of a settling law
         own = Kynch(RichardsonZaki(v_t, 4.65, phi_m), phi, H)

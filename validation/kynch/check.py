@@ -44,6 +44,7 @@ def run(checks):
     checks.at_most("rms of the curve, Kynch started from rest, over H", q["rms_over_height_late"]["mean"], 0.025)
     checks.at_most("rms of the mean height, likewise", q["mean_height_rms_late"]["mean"], 0.01)
 
+    checks.picture(os.path.join(coupled.RUNS, "kynch", "dilute", "kynch.png"))
     dense = compare("dense", "--seeds", "1", "--phi0", "0.3", "--set", "end=1.2")
     q = dense["quantities"]
     checks.close("solid fraction 0.3: speed of the solids' top", q["top_speed"]["mean"], q["top_speed"]["theory"], 0.10)

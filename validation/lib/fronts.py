@@ -25,9 +25,9 @@ def solids_below(z, radius, area, edges):
     return below * 4 / 3 * np.pi * radius**3 / area
 
 
-def profile(z, radius, area, height):
-    """Heights [m] and the solid fraction there, a mean over two diameters."""
-    part, wide = 0.25 * radius, 16
+def profile(z, radius, area, height, over=2):
+    """Heights [m] and the solid fraction there, a mean over so many diameters."""
+    part, wide = 0.25 * radius, 8 * over
     edges = np.arange(0.0, height + 6 * radius, part)
     below = solids_below(z, radius, area, edges)
     return edges[wide // 2:-wide // 2], (below[wide:] - below[:-wide]) / (wide * part)
@@ -38,19 +38,20 @@ def _crossing(z, phi, k, level):
     return z[k] + (phi[k] - level) / (phi[k] - phi[k + 1]) * (z[k + 1] - z[k])
 
 
-def fronts(folder, step, area, height, upper, bed):
-    """(t, z_upper, z_bed): where the solid fraction falls through `upper` for the
-    last time from below, and where it first falls through `bed`; nan where it does not."""
+def fronts(folder, step, area, height, upper, bed, over=2):
+    """(t, z_upper, z_bed): where the solid fraction falls through `upper` for the last time
+    from below, and, as a mean over `over` diameters, first through `bed`; nan where it does not."""
     found = []
     for t, z, radius in dumps(folder, step):
-        at, phi = profile(z, radius, area, height)
+        fine, phi = profile(z, radius, area, height)
         high = np.flatnonzero(phi > upper)
+        top = _crossing(fine, phi, high[-1], upper) if high.size else np.nan
+        at, phi = profile(z, radius, area, height, over)
         # a packing's own unevenness in the lowest two diameters is passed over
-        low = np.flatnonzero((phi <= bed) & (at > 3 * radius))
+        low = np.flatnonzero((phi <= bed) & (at > max(3, over) * radius))
         k = low[0] - 1 if low.size else -1
         packed = k >= 0 and phi[k] > bed
-        found.append((t, _crossing(at, phi, high[-1], upper) if high.size else np.nan,
-                      _crossing(at, phi, k, bed) if packed else np.nan))
+        found.append((t, top, _crossing(at, phi, k, bed) if packed else np.nan))
     return np.array(found).T
 
 
@@ -59,3 +60,11 @@ def line(t, z, begin, end):
     inside = (t >= begin) & (t <= end) & np.isfinite(z)
     slope, at = np.polyfit(t[inside], z[inside], 1)
     return float(slope), float(at)
+
+
+def packed(folder, step, area, height):
+    """Solid fraction of the bed in the last dump, two diameters off its floor and its top."""
+    *_, (_, z, radius) = dumps(folder, step)
+    low, high = 4 * radius, np.max(z) - 5 * radius
+    below = solids_below(z, radius, area, np.array([low, high]))
+    return float((below[1] - below[0]) / (high - low))

@@ -55,4 +55,4 @@ def run(checks):
                    (None, at, curves["y_packed_front_over_H"][mine], "dashed")]
     checks.picture(plots.compare(
         os.path.join(coupled.RUNS, "kynch-curves", "kynch-curves.png"), series, "t v_t/H", "height over H",
-        "interface and bed of columns at low Re: runs (circles), exact solution with phi_m = 0.6 (dashed)"))
+        "columns at low Re: runs (circles), exact with phi_m = 0.6 (dashed)"))

@@ -15,6 +15,7 @@ from unittest import mock
 
 import numpy as np
 
+import pack_box
 import pack_expansion
 import pack_main
 import pack_packmol
@@ -44,6 +45,27 @@ def brute(shape, x, q):
     d = np.linalg.norm(p[:, None] - p[None], axis=2)
     body = np.arange(len(p)) // n
     return max(0.0, 2 * shape.radius - d[body[:, None] != body[None]].min())
+
+
+class BoxTest(unittest.TestCase):
+    """Spheres in boxes with periodic sides and with walls."""
+
+    def test_apart_inside_and_even(self):
+        size = [8e-3, 8e-3, 24e-3]
+        for fraction, cyclic in ((0.05, True), (0.3, False), (0.5, True)):
+            count = round(fraction * 8 * 8 * 24 / (np.pi / 6))
+            x = pack_box.place(5e-4, count, size, cyclic, 3, lambda _: None)
+            self.assertEqual(x.shape, (count, 3))
+            self.assertLess(pack_box.overlap(x, 5e-4, size, cyclic), 1e-9)
+            self.assertTrue(np.all((x[:, 2] > 5e-4 - 1e-9) & (x[:, 2] < size[2] - 5e-4 + 1e-9)))
+            if not cyclic:
+                self.assertTrue(np.all((x[:, :2] > 5e-4 - 1e-9) & (x[:, :2] < 8e-3 - 5e-4 + 1e-9)))
+            layers = np.histogram(x[:, 2], bins=4, range=(0, size[2]))[0]
+            self.assertLess(np.ptp(layers), 0.2 * count / 4)
+
+    def test_too_many(self):
+        with self.assertRaises(pack_shapes.NotPacked):
+            pack_box.place(5e-4, round(0.75 * 216 / (np.pi / 6)), [6e-3] * 3, True, 1, lambda _: None)
 
 
 class ShapeTest(unittest.TestCase):

@@ -35,15 +35,18 @@ class Measurements:
             raise Missing("the case column1890 is not there")
         if "contacts" not in casefile.Case("column1890").values:
             raise Missing("the case column1890 has no key 'contacts'")
-        return {"end": casefile.Case("column1890").values["coupling_steps"] * 1e-5 * 20 if self.quick else 1.0}
+        values = casefile.Case("column1890").values
+        return {"end": 20 * values["coupling_steps"] * values["dem_step"] if self.quick else 1.0}
 
     def _column_runs(self):
         """The coupled run with lean contacts, and both DEM halves alone beside it."""
         if "column" not in self._kept:
             end = self._column()
             folder = bench_run.made("column1890", {"contacts": "lean", **end}, "targets")
-            lean = bench_run.alone(folder)
-            stock = bench_run.alone(bench_run.made("column1890", {"contacts": "stock", **end}, "targets", dry=True))
+            # every contact computed
+            awake = {"rest": "no"} if "rest" in casefile.Case("column1890").values else {}
+            lean, stock = (bench_run.alone(bench_run.made("column1890", {"contacts": c, **awake, **end}, "targets", dry=True))
+                           for c in ("lean", "stock"))
             self._kept["column"] = folder, lean, stock
         return self._kept["column"]
 

@@ -36,6 +36,7 @@ def parser():
     p.add_argument("--jobs", type=int, default=max(1, len(os.sched_getaffinity(0))), metavar="J",
                    help="runs at once (the cores)")
     p.add_argument("--fresh", action="store_true", help="make every run anew")
+    p.add_argument("--record", action="store_true", help="put the counts into validation/STABILITY.md")
     p.add_argument("--only", metavar="ID", action="append", help="make these runs anew and keep their folders")
     return p
 
@@ -150,6 +151,16 @@ def write(out, rows, target=None):
             f.write("\n")
 
 
+def record(text, path=os.path.join(coupled.TOP, "validation", "STABILITY.md")):
+    """Puts the report between the two marks of the page."""
+    with open(path, encoding="utf-8") as f:
+        page = f.read()
+    start, end = "<!-- last map -->\n", "<!-- end of last map -->"
+    head, tail = page.index(start) + len(start), page.index(end)
+    with open(path, "w", encoding="utf-8") as f:
+        f.write(page[:head] + "\n```\n" + text + "\n```\n\n" + page[tail:])
+
+
 def main():
     args = parser().parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
@@ -177,7 +188,10 @@ def main():
     write(out, rows, args.json)
     import stress_picture
     stress_picture.draw(os.path.join(out, "stress.png"), rows)
-    print(report(rows))
+    said = report(rows)
+    print(said)
+    if args.record:
+        record(said)
     print(f"{time.monotonic() - began:.0f} s; results in {out}")
     return 1 if any(r["outcome"] == "failed" for r in rows) else 0
 

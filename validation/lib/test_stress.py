@@ -121,6 +121,17 @@ class Ends(unittest.TestCase):
             self.assertEqual(stress_main.kept(path, "a"), {"x": {"id": "x", "outcome": "bounded"}})
             self.assertEqual(stress_main.kept(path + ".gone", "a"), {})
 
+    def test_the_page_gets_the_counts(self):
+        with tempfile.TemporaryDirectory() as place:
+            path = os.path.join(place, "page.md")
+            with open(path, "w", encoding="utf-8") as f:
+                f.write("a\n<!-- last map -->\nold\n<!-- end of last map -->\nb\n")
+            for _ in range(2):
+                stress_main.record("3 runs", path)
+            with open(path, encoding="utf-8") as f:
+                page = f.read()
+            self.assertEqual(page, "a\n<!-- last map -->\n\n```\n3 runs\n```\n\n<!-- end of last map -->\nb\n")
+
     def test_reasons_are_counted_without_numbers(self):
         self.assertEqual(stress_main.kind("step 1.5e-05 s of particle 7"), stress_main.kind("step 3 s of particle 12"))
 

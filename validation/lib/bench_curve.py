@@ -18,12 +18,12 @@ def difference(curve, reference, key="interface_m"):
 
 
 def spread(curves, key="interface_m"):
-    """Root mean square distance of curves of several seeds from their mean,
-    relative as in difference(); n - 1 in place of n."""
+    """Root mean square distance of curves of several seeds from their mean, each
+    counted from where it begins; relative as in difference(), n - 1 for n."""
     if len(curves) < 2:
         raise ValueError("the spread wants two curves at least")
     t = curves[0]["time_s"]
-    h = np.array([np.interp(t, c["time_s"], c[key]) for c in curves])
+    h = np.array([np.interp(t, c["time_s"], c[key]) - c[key][0] for c in curves])
     mean = h.mean(axis=0)
     sunk = mean[0] - mean.min()
     return float(np.sqrt(((h - mean)**2).sum(axis=0).mean() / (len(curves) - 1)) / sunk)

@@ -109,7 +109,7 @@ class Sweep:
         for k, (setting, value, _) in enumerate(points):
             rows.append(self._row(setting, value, found.get(k), reference, spread, walls[k], notes.get(k, "")))
         good = [r for r in rows if r["wall_ratio"] is not None]
-        for row, on in zip(good, bench_curve.front([(r["wall_ratio"], r["error"]) for r in good], spread)):
+        for row, on in zip(good, bench_curve.front([(r["wall_ratio"], r["error"]) for r in good])):
             row["on_front"] = on
         return rows
 

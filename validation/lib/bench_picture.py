@@ -43,6 +43,10 @@ def draw(path, rows):
         ax.set_xscale("log")
         if any(r["error"] > 0 for r in mine):
             ax.set_yscale("log")
+        for axis in (ax.xaxis, ax.yaxis):
+            axis.set_major_formatter("{x:g}")
+            axis.set_minor_formatter("{x:g}")
+        ax.tick_params(which="minor", labelsize=7)
         ax.set_xlabel("wall time over that of the shipped settings")
         ax.set_ylabel("error of the settling curve [% of what has sunk]")
         ax.set_title(case, fontsize=10)

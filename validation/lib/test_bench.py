@@ -36,8 +36,11 @@ class Curves(unittest.TestCase):
             bench_curve.difference(line(0.1), line(0.0))
 
     def test_spread_is_the_standard_deviation(self):
-        found = bench_curve.spread([line(0.1, 0.01), line(0.1, -0.01)])
-        self.assertAlmostEqual(found, np.std([0.01, -0.01], ddof=1) / 0.2)
+        found = bench_curve.spread([line(0.11), line(0.09)])
+        share = np.linspace(0, 1, 21)
+        self.assertAlmostEqual(found, np.std([0.22, 0.18], ddof=1) * np.sqrt(np.mean(share**2)) / 0.2)
+        # where a packing begins is no difference
+        self.assertAlmostEqual(bench_curve.spread([line(0.1, 0.01), line(0.1, -0.01)]), 0)
         with self.assertRaisesRegex(ValueError, "two curves"):
             bench_curve.spread([line(0.1)])
 

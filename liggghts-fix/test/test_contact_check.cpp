@@ -96,7 +96,7 @@ TEST(ContactCheck, limitsOfAPlateAtRest)
   EXPECT_EQ(contacts, 7);
   std::string which;
   const double worst = LAMMPS_NS::resting_step_limit(host.lmp.get(), &which);
-  EXPECT_EQ(which, "ill");
+  EXPECT_EQ(which, "a clump 'ill'");
   EXPECT_LT(worst, now);
 
   // seven contacts with the floor, exactly

@@ -29,7 +29,7 @@ def name_of(case, changes):
 
 def made(case, changes, where="runs", dry=False):
     """A run of cases/run without pictures; its folder. Broken when it fails."""
-    folder = os.path.join(PLACE, where, name_of(case, changes))
+    folder = os.path.join(PLACE, where, name_of(case, changes) + ("-inputs" if dry else ""))
     words = [os.path.join(coupled.TOP, "cases", "run"), "--no-setup", case, "--out", folder, "--no-pictures",
              "--set", "frames=2"]
     for key, value in changes.items():

@@ -48,10 +48,14 @@ Foam::label Foam::fluidSolver::subSteps(const scalar interval) const
     const scalar steps = interval/dt;
     if (!(steps < 1e6))
     {
+        const label celli = findMax(magSqr(U_.primitiveField())());
         FatalErrorInFunction
             << "the coupling interval of " << interval << " s would need "
             << steps << " steps of the fluid at time " << runTime_.value()
-            << " s; see deltaT, maxCo and maxDeltaT in system/controlDict"
+            << " s: U is " << (celli < 0 ? vector::zero : U_[celli])
+            << " m/s in cell " << celli << " at "
+            << (celli < 0 ? vector::zero : mesh_.C()[celli])
+            << " m; see deltaT, maxCo and maxDeltaT in system/controlDict"
             << exit(FatalError);
     }
     return max(1, label(ceil(steps - 1e-6)));

@@ -45,7 +45,7 @@ GRAVITY = 9.81          # [m/s2]
 RESTITUTION = 0.3
 # limit of a particle at rest in a corner over that of one contact, at that
 # restitution (liggghts-fix/doc/contact_limit.md)
-RESTING = {"spheres": 0.17, "clumps": 0.044}
+RESTING = {"spheres": 0.256, "clumps": 0.061}
 PAPER_CHARGE = 3.93e-10  # [C] of a sphere of PAPER_DIAMETER
 PAPER_DIAMETER = 2e-3   # [m]
 COULOMB = 8.9875517873681764e9  # [N m2/C2]
@@ -178,7 +178,7 @@ def scene(p):
     # DEM steps an interval: what the ratio asks for, and a run can afford
     courant = 20 * p["cell"] * d / max(inlet, v)
     wanted = min(p["interval_ratio"] * relaxation, courant)
-    every = min(max(1, round(wanted / step)), _OF_GRAINS if d < 3e-5 else _MOST_PER_INTERVAL)
+    every = min(max(1, round(wanted / step)), _OF_GRAINS if d < 3e-5 and not p["charge_factor"] else _MOST_PER_INTERVAL)
     exchanges = max(10, min(_EXCHANGES, _MOST_STEPS // every))
     scheme, _, smoothing = p["scheme"].partition("+")
     values = {
@@ -187,7 +187,7 @@ def scene(p):
         "end": float(f"{step * every * exchanges:.12g}"), "drag": p["drag"], "void_fraction": scheme,
         "smoothing": smoothing or "none", "bandwidth": 3 * d, "model": p["model"], "overlap": p["overlap"],
         "sides": p["sides"], "bottom": "inlet" if inlet else "wall", "inlet_velocity": inlet,
-        "charge": p["charge_factor"] * PAPER_CHARGE * (d / PAPER_DIAMETER)**2.5, "cutoff": 6 * d,
+        "charge": p["charge_factor"] * PAPER_CHARGE * (d / PAPER_DIAMETER)**2.5, "cutoff": min(6 * d, 0.5 * box["values"]["size_x"]),
         "particles": len(box["places"]), **box["values"]}
     return {"values": values, "places": box["places"], "solids": box["solids"], "mass": mass, "terminal": v,
             "interval_ratio": step * every / relaxation, "exchanges": exchanges}

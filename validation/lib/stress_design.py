@@ -2,7 +2,7 @@
 """The runs of the stability map: a designed sample of scenes.
 
 Three parts: single axes from a plain scene, corners of groups of axes, and a
-Sobol sequence over all of them at once. A point is a dict of what AXES and
+Latin hypercube over all of them at once. A point is a dict of what AXES and
 WORDS name; scene() makes the numbers of a case of it.
 """
 
@@ -82,11 +82,11 @@ def corners():
     return found
 
 
-def sobol(count, seed=5):
-    """All axes and words at once, from a scrambled Sobol sequence."""
+def latin(count, seed=5):
+    """All axes and words at once: a Latin hypercube, shuffled for low discrepancy."""
     keys, words = list(AXES), list(WORDS)
-    draws = qmc.Sobol(len(keys) + len(words) + len(_OFTEN_ZERO), seed=seed).random_base2(
-        max(0, math.ceil(math.log2(max(count, 1)))))[:count]
+    draws = qmc.LatinHypercube(len(keys) + len(words) + len(_OFTEN_ZERO), seed=seed,
+                               optimization="random-cd").random(count)
     found = []
     for row in draws:
         point = {}
@@ -106,7 +106,7 @@ def grains(count):
     """Small grains in thick fluids: intervals of up to 1e4 relaxation times."""
     narrow = {"diameter": (1e-5, 1e-4), "viscosity": (1e-2, 1.0), "stiffness": (1e2, 3e3), "step_ratio": (0.2, 0.95),
               "interval_ratio": (1.0, 1e4)}
-    found = sobol(count, seed=6)
+    found = latin(count, seed=6)
     for p in found:
         for key, (low, high) in narrow.items():
             a, b = AXES[key]
@@ -117,7 +117,7 @@ def grains(count):
 
 def design(count=None):
     """The points in the order they are run; count: only so many, of all parts."""
-    parts = [single_axes(), corners(), sobol(128), grains(48)]
+    parts = [single_axes(), corners(), latin(128), grains(48)]
     if count is None:
         return unique([p for part in parts for p in part])
     total = sum(len(p) for p in parts)

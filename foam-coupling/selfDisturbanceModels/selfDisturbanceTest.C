@@ -161,7 +161,7 @@ TEST(selfDisturbance, historyKeepsImpulse)
     for (int k = 0; k < 3000; ++k)
     {
         h.last.centre.z() -= 1e-3;
-        h.add(1e-3, vector(0.5, 0, 0), vector(1, 2, 3), vector(0, 0, 1));
+        h.add(1e-3, vector(0.5, 0, 0), vector(1, 2, 3));
         t += 1e-3;
     }
     EXPECT_LT(h.entries.size(), 45u);

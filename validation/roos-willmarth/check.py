@@ -31,7 +31,7 @@ def run(checks):
         folder = lone.run(f"roos-willmarth/Re{wanted:.0f}", size_x=0.05, size_y=0.05, size_z=0.5, cells_x=5, cells_y=5,
                           cells_z=50, sides="slip", sphere_radius=0.5 * D, at_z=0.95, viscosity=float(viscosity),
                           end=end, dem_step=float(end / 4000), coupling_steps=10, self_disturbance="latticeMemory",
-                          frames=2, curve_rows=200, stiffness=1e4)
+                          frames=2, curve_rows=200)
         v = float(np.mean(-lone.path(folder)[2][-20:]))
         found.append((v * D * RHO / viscosity, 4 / 3 * G * D * (SOLID / RHO - 1) / v**2))
     runs = np.array(found)

@@ -29,7 +29,6 @@ def run(checks):
                           cells_z=cells, sides="slip", bottom="slip", top="slip", sphere_radius=0.5 * D, density=1120,
                           fluid_density=rho, viscosity=mu, at_x=0.52, at_y=0.52, at_z=0.6, end=end, dem_step=2e-4,
                           coupling_steps=10, self_disturbance="latticeMemory", frames=2, curve_rows=200,
-                          stiffness=1e4)
         t, _, v = lone.path(folder)
         last = float(np.mean(-v[-len(v) // 4:]))
         checks.close(f"{name}: terminal velocity against Schiller and Naumann", last, law, 0.02)

@@ -10,7 +10,7 @@ namespace
 {
 
 // numbers of a map and of an entry
-constexpr int mapSize = 15, entrySize = 8 + mapSize;
+constexpr int mapSize = 15, entrySize = 5 + mapSize;
 
 void put(std::vector<double>& to, const Foam::vector& v)
 {
@@ -145,8 +145,7 @@ void Foam::disturbanceHistory::add
 (
     const scalar T,
     const vector& u,
-    const vector& impulse,
-    const vector& implicit
+    const vector& impulse
 )
 {
     for (entry& e : entries)
@@ -156,7 +155,7 @@ void Foam::disturbanceHistory::add
         e.map.centre += T*u;
     }
 
-    entry e{0, T, impulse, implicit, last};
+    entry e{0, T, impulse, last};
     e.map.centre += 0.5*T*u;
     entries.insert(entries.begin(), e);
 
@@ -172,7 +171,6 @@ void Foam::disturbanceHistory::add
             const scalar wb = mag(b.impulse) + VSMALL;
             a.map = latticeMap::mean(a.map, wa, b.map, wb);
             a.impulse += b.impulse;
-            a.implicit += b.implicit;
             a.old = b.old;
         }
         else if (++to != k)
@@ -190,13 +188,11 @@ std::vector<double> Foam::disturbanceHistory::pack() const
     put(to, last);
     put(to, before);
     put(to, sent);
-    to.push_back(K);
     for (const entry& e : entries)
     {
         to.push_back(e.young);
         to.push_back(e.old);
         put(to, e.impulse);
-        put(to, e.implicit);
         put(to, e.map);
     }
     return to;
@@ -213,14 +209,12 @@ Foam::disturbanceHistory Foam::disturbanceHistory::unpack
     h.last = takeMap(from);
     h.before = takeMap(from);
     h.sent = takeVector(from);
-    h.K = *from++;
     while (end - from >= entrySize)
     {
         entry e;
         e.young = *from++;
         e.old = *from++;
         e.impulse = takeVector(from);
-        e.implicit = takeVector(from);
         e.map = takeMap(from);
         h.entries.push_back(e);
     }

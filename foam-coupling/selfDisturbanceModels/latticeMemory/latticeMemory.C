@@ -227,12 +227,9 @@ Foam::vector Foam::selfDisturbanceModels::latticeMemory::velocity
         }
         else
         {
-            const latticeResponse::values mean
-            (
-                table.mean(seen.apart(e.map), theta0, theta1)
-            );
-            sum += mean.byFaces & e.impulse;
-            sum += cmptMultiply(mean.byCells, e.implicit);
+            sum +=
+                table.mean(seen.apart(e.map), theta0, theta1).byFaces
+              & e.impulse;
         }
     }
     return sum/(-setting_.rho*V);
@@ -306,8 +303,6 @@ void Foam::selfDisturbanceModels::latticeMemory::evaluate
 
         solid[i] = fraction*table.share(seen.apart(now));
         const scalar S = excess(1 - n[i] - solid[i]);
-        // where the particle is, there is less fluid to move
-        const scalar amplitude = S*(1 + 0.4*solid[i]);
         solid[i] *= S;
 
         const auto found = histories_.find(p.tag[i]);
@@ -322,15 +317,24 @@ void Foam::selfDisturbanceModels::latticeMemory::evaluate
         if (T > 0)
         {
             const vector impulse(p.impulse[i] - T*h.sent);
-            const scalar m = p.mass[i];
-            h.add(T, u[i], impulse, -m*std::expm1(-h.K*T/m)*u[i]);
-            velocity[i] = amplitude*this->velocity(h, seen);
+            h.add(T, u[i], impulse);
+            velocity[i] = S*this->velocity(h, seen);
 
             const latticeWeights w(seen.apart(h.last));
             const symmTensor along(table.longitudinal(w));
             if (setting_.pressure)
             {
-                pressureForce[i] = (S*fraction/T)*(along & impulse);
+                // the sharp gradient: all that does not pass the faces
+                const scalar theta = min
+                (
+                    setting_.smoothing/pow(V, 2.0/3.0),
+                    latticeResponse::thetaMax()
+                );
+                pressureForce[i] = (S*fraction/T)*
+                (
+                    (along & impulse)
+                  + cmptMultiply(table.mean(w, theta, theta).byCells, impulse)
+                );
             }
 
             // div U = d(phi)/dt + div(phi U)
@@ -358,7 +362,7 @@ void Foam::selfDisturbanceModels::latticeMemory::evaluate
 void Foam::selfDisturbanceModels::latticeMemory::sent
 (
     const dispersedParticles& p,
-    const scalarField& K,
+    const scalarField&,
     const vectorField& force
 )
 {
@@ -368,7 +372,6 @@ void Foam::selfDisturbanceModels::latticeMemory::sent
         if (p.owned[i] && found != histories_.end())
         {
             found->second.sent = force[i];
-            found->second.K = K[i];
         }
     }
 }

@@ -101,7 +101,12 @@ Foam::smoothingModels::diffusion::diffusion
 Foam::scalar Foam::smoothingModels::diffusion::spread() const
 {
     const scalar m = steps_;
-    return sqr(bandwidth_)/4/m*exp(2*(std::lgamma(m) - std::lgamma(m - 0.5)));
+    const scalar T = sqr(bandwidth_)/4;
+    const scalar wide = exp(2*(std::lgamma(m) - std::lgamma(m - 0.5)))/m;
+
+    // within a cell the steps make no difference
+    const scalar cell = pow(gAverage(mesh_.V().field()), 2.0/3.0);
+    return T*(1 - (1 - wide)*T/(T + 0.5*cell));
 }
 
 

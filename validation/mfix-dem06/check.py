@@ -17,7 +17,7 @@ def _run(where, **more):
     values = {"size_x": 0.01, "size_y": 0.01, "size_z": 0.1, "cells_x": 5, "cells_y": 5, "cells_z": 20,
               "sides": "slip", "bottom": "inlet", "top": "open", "inlet_velocity": 0.4, "start_velocity": 0.4,
               "sphere_radius": 5e-5, "density": 2000, "fluid_density": 1.2, "viscosity": 1.8e-5,
-              "at_z": 0.925, "end": 0.3, "dem_step": 5e-5, "coupling_steps": 20, "frames": 2, "curve_rows": 200,
+              "at_z": 0.6, "end": 0.3, "dem_step": 5e-5, "coupling_steps": 20, "frames": 2, "curve_rows": 200,
               "rows": 300, **more}
     folder = lone.run(f"mfix-dem06/{where}", **values)
     return lone.path(folder), folder

@@ -12,6 +12,7 @@ from reference import table
 from theory import drag
 
 TITLE = "ten Cate 2002: nylon sphere in silicone oil, an unbounded law's own velocity"
+LONG = True
 D = 0.015
 
 

@@ -69,7 +69,8 @@ macro(clayfoam_model_tests)
       voidFractionModels/limitVoidFractionTest
       dispersedParticles/dispersedParticlesTest
       smoothingModels/smoothingModelTest
-      selfDisturbanceModels/selfDisturbanceTest)
+      selfDisturbanceModels/selfDisturbanceTest
+      coupling/leftOutTest)
     get_filename_component(name ${test} NAME)
     add_executable(${name} ${CLAYFOAM_MODEL_DIR}/${test}.C ${environment})
     target_link_libraries(${name} PRIVATE clayTestMesh)

@@ -147,7 +147,19 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
             "interpolate(voidfraction)"
         );
         fresh_ = false;
+
+        const bool plain =
+            turbulence_->type() == "Stokes"
+         && fv::options::New(mesh_).optionList::empty();
+        quiet_.reset
+        (
+            new quietFluid(plain ? coupling.properties().quietFluid() : 0)
+        );
     }
+    const vectorField before
+    (
+        quiet_->active() ? U_.primitiveField() : vectorField()
+    );
 
     // a flow that grows within the interval gets shorter steps at once
     scalar left = interval;
@@ -166,6 +178,21 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
         }
 
         coupling.advance();
+        if
+        (
+            !coupling.properties().frozenFluid()
+         && dt == interval
+         && quiet_->holds
+            (
+                U_, coupling.n(), coupling.ddtN(), coupling.Sp(),
+                coupling.source(), interval
+            )
+        )
+        {
+            ++coupling.statistics().quietIntervals;
+            coupling.record();
+            return runTime_.writeTime();
+        }
         if (!coupling.properties().frozenFluid())
         {
             // the iterations of PIMPLE are said only when asked for
@@ -185,6 +212,7 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
         n = n > 1 ? subSteps(left) : 0;
         writeDue = runTime_.writeTime() || writeDue;
     }
+    quiet_->solved(before, U_, coupling.Sp(), coupling.source());
 
     return writeDue;
 }

@@ -141,7 +141,8 @@ void Foam::couplingProperties::checkEntries() const
     ({
         "overlap", "frozenFluid", "model", "voidFractionModel", "dragModel", "forceModels",
         "smoothingModel", "selfDisturbance", "ddtVoidFraction", "interpolation",
-        "voidFractionMin", "allowNoBuoyancy", "verbose", "couplingInterval"
+        "voidFractionMin", "allowNoBuoyancy", "verbose", "couplingInterval",
+        "keepMapping", "quietFluid"
     });
 
     const auto addCoeffs = [&known](const wordList& models)
@@ -331,6 +332,21 @@ Foam::couplingProperties::couplingProperties(const Time& runTime)
         FatalIOErrorInFunction(*this)
             << "voidFractionMin " << least << " must lie between 0 and 1"
             << exit(FatalIOError);
+    }
+
+    keepMapping_ = take<scalar>("keepMapping", 1e-5);
+    if (!(keepMapping_ >= 0 && keepMapping_ <= 0.1))
+    {
+        FatalIOErrorInFunction(*this)
+            << "keepMapping " << keepMapping_ << " must lie between 0 and 0.1"
+            << " radii" << exit(FatalIOError);
+    }
+    quietFluid_ = take<scalar>("quietFluid", 1e-5);
+    if (!(quietFluid_ >= 0 && quietFluid_ <= 0.1))
+    {
+        FatalIOErrorInFunction(*this)
+            << "quietFluid " << quietFluid_ << " must lie between 0 and 0.1"
+            << " of the largest speed" << exit(FatalIOError);
     }
 
     allowNoBuoyancy_ = take<Switch>("allowNoBuoyancy", Switch(false));

@@ -115,6 +115,9 @@ void Foam::couplingStatistics::write
     j["output_s"] = most(output);
     j["cfd_steps"] = steps;
     j["exchanges"] = exchanges;
+    j["quiet_intervals"] = quietIntervals;
+    j["exchanges_without_mapping"] = keptMaps;
+    j["particles_mapped"] = returnReduce(mapped, sumOp<scalar>());
     j["stiff_exchanges"] = stiffExchanges;
     j["courant_max"] = most(courantMax);
     j["reynolds_max"] = most(reynoldsMax);

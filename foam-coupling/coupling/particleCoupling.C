@@ -210,6 +210,7 @@ Foam::particleCoupling::particleCoupling
     rho_(property(transportProperties, "rho", dimDensity)),
     properties_(mesh_.time()),
     mapping_(voidFractionModel::New(properties_, mesh_)),
+    kept_(properties_.keepMapping()),
     smoothing_(smoothingModel::New(properties_, mesh_)),
     ddtType_(properties_.ddt(mapping_->smooth() || smoothing_->active())),
     sumShared_(sharedSum()),

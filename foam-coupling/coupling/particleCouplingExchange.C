@@ -74,6 +74,14 @@ void Foam::particleCoupling::take()
 void Foam::particleCoupling::map()
 {
     dispersedParticles& p = particles_;
+    kept_.restore(p);
+    stats_.mapped += kept_.moved().size();
+    if (!returnReduce(kept_.changed(), orOp<bool>()))
+    {
+        // n and the particles' volume are those of the exchange before
+        ++stats_.keptMaps;
+        return;
+    }
     p.locate(mesh_);
 
     if (Pstream::parRun())
@@ -90,7 +98,15 @@ void Foam::particleCoupling::map()
     }
 
     volScalarField& n = history_.mapped();
-    mapping_->map(p, sumShared_, n, smoothing_.operator->());
+    mapping_->map
+    (
+        p,
+        sumShared_,
+        n,
+        smoothing_.operator->(),
+        kept_.allMoved(p) ? nullptr : &kept_.moved()
+    );
+    kept_.keep(p);
 
     scalar volume = 0;
     label outside = 0, larger = 0;

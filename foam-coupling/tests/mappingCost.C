@@ -143,6 +143,38 @@ TEST(mappingCost, smoothing)
 }
 
 
+// for counting instructions (validation/instructions)
+TEST(mappingCost, onePass)
+{
+    const test::meshCase c(test::block({20, 20, 20}, Zero, {0.04, 0.04, 0.04}));
+    const auto m = voidFractionModel::New
+    (
+        test::settings("voidFractionModel exactOverlap;"),
+        c.mesh()
+    );
+    const label n = 1000;
+    dispersedParticles p;
+    p.setSize(n);
+    scalar fraction[3] = {0.1, 0.2, 0.3};
+    for (label i = 0; i < n; ++i)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            // evenly spread, the same on every machine
+            const scalar step[3] = {0.754877666, 0.569840291, 0.430159709};
+            fraction[d] += step[d] - (fraction[d] + step[d] >= 1);
+            p.position[i][d] = 0.002 + 0.036*fraction[d];
+        }
+    }
+    p.radius = 1e-3;
+    p.volume = 4.0/3*constant::mathematical::pi*1e-9;
+    p.tag = identity(n);
+    p.locate(c.mesh());
+    m->weights(p);
+    EXPECT_GT(p.weight.size(), n);
+}
+
+
 TEST(mappingCost, schemes)
 {
     const auto box = [](const label n)

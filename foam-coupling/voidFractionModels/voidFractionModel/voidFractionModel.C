@@ -15,6 +15,56 @@ namespace Foam
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
+void Foam::voidFractionModel::renew
+(
+    dispersedParticles& p,
+    const labelList& moved
+) const
+{
+    dispersedParticles some;
+    some.setSize(moved.size());
+    forAll(moved, k)
+    {
+        const label i = moved[k];
+        some.position[k] = p.position[i];
+        some.velocity[k] = p.velocity[i];
+        some.radius[k] = p.radius[i];
+        some.volume[k] = p.volume[i];
+        some.mass[k] = p.mass[i];
+        some.tag[k] = p.tag[i];
+        some.cell[k] = p.cell[i];
+        some.outside[k] = p.outside[i];
+        some.owned[k] = p.owned[i];
+    }
+    weights(some);
+
+    // moved is in ascending order
+    const labelList offset(p.offset), cells(p.cellIndex);
+    const scalarField shares(p.weight);
+    DynamicList<label> newCells(cells.size());
+    DynamicList<scalar> newShares(cells.size());
+    label k = 0;
+    for (label i = 0; i < p.size(); ++i)
+    {
+        const bool renewed = k < moved.size() && moved[k] == i;
+        const label begin = renewed ? some.offset[k] : offset[i];
+        const label end = renewed ? some.offset[k + 1] : offset[i + 1];
+        p.offset[i] = newCells.size();
+        for (label e = begin; e < end; ++e)
+        {
+            newCells.append(renewed ? some.cellIndex[e] : cells[e]);
+            newShares.append(renewed ? some.weight[e] : shares[e]);
+        }
+        k += renewed;
+    }
+    p.offset[p.size()] = newCells.size();
+    p.cellIndex.clear();
+    p.weight.clear();
+    p.cellIndex.append(newCells);
+    p.weight.append(newShares);
+}
+
+
 void Foam::voidFractionModel::normalise
 (
     dispersedParticles& p,
@@ -110,10 +160,18 @@ void Foam::voidFractionModel::map
     dispersedParticles& p,
     const sharedSum& sumShared,
     volScalarField& n,
-    const smoothingModel* smoothing
+    const smoothingModel* smoothing,
+    const labelList* moved
 )
 {
-    weights(p);
+    if (moved)
+    {
+        renew(p, *moved);
+    }
+    else
+    {
+        weights(p);
+    }
     normalise(p, sumShared);
 
     scalarField alpha(mesh_.nCells(), 0.0);

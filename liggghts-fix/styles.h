@@ -10,5 +10,6 @@
 #include "fix_rest_bed.h"
 #include "fix_settling_curve.h"
 #include "fix_template_clay.h"
+#include "fix_wall_gran_lean.h"
 #include "pair_coul_clump.h"
 #include "pair_gran_lean.h"

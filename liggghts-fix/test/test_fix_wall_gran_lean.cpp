@@ -1,0 +1,99 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "fix.h"
+#include "fix_property_atom.h"
+#include "host.h"
+
+using test::Host;
+
+namespace {
+
+/// Spheres thrown into a tube with a floor; a wall of each shape, by the given style.
+std::string thrown(const std::string &wall, const std::string &more = "")
+{
+  std::ostringstream s;
+  s.precision(17);
+  s << test::opening("f f f", "-0.01 0.01 -0.01 0.01 0 0.04")
+    << "fix m1 all property/global kn peratomtypepair 2 3000. 2500. 2500. 2000.\n"
+       "fix m2 all property/global kt peratomtypepair 2 2000. 1500. 1500. 1200.\n"
+       "fix m3 all property/global gamman peratomtypepair 2 2000. 1500. 1500. 1000.\n"
+       "fix m4 all property/global gammat peratomtypepair 2 1000. 1200. 1200. 800.\n"
+       "fix m5 all property/global coefficientFriction peratomtypepair 2 0.5 0.3 0.3 0.1\n"
+       "pair_style gran model hooke/stiffness tangential history\npair_coeff * *\n";
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> side(-5e-3, 5e-3), up(1e-3, 8e-3), speed(-0.4, 0.4), size(1.2e-3, 2e-3);
+  for (int i = 1; i <= 40; i++)
+    s << "create_atoms " << 1 + i % 2 << " single " << side(random) << ' ' << side(random) << ' ' << up(random) << " units box\n"
+      << "set atom " << i << " diameter " << size(random) << "\nset atom " << i << " density 2600\n"
+      << "group one id " << i << "\nvelocity one set " << speed(random) << ' ' << speed(random) << ' ' << speed(random)
+      << " units box\ngroup one delete\n";
+  const std::string model = " all " + wall + " model hooke/stiffness tangential history primitive type ";
+  s << "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\n"
+    << "fix floor" << model << "1 zplane 0. " << more << "\nfix side" << model << "2 zcylinder 0.007 0. 0. " << more
+    << "\nfix xl" << model << "1 xplane -0.006 " << more << "\ntimestep 2e-6\n";
+  return s.str();
+}
+
+void same(const std::string &more, int steps)
+{
+  Host stock, lean;
+  const std::string run = "run " + std::to_string(steps) + "\n";
+  stock(thrown("wall/gran", more) + run);
+  lean(thrown("wall/gran/lean", more) + run);
+  const auto a = stock.atoms(), b = lean.atoms();
+  ASSERT_EQ(a.size(), b.size());
+  double x = 0, v = 0, f = 0, most = 0;
+  for (std::size_t i = 0; i < a.size(); i++)
+    for (int d = 0; d < 3; d++) {
+      x = std::max(x, std::abs(a[i].x[d] - b[i].x[d]));
+      v = std::max(v, std::abs(a[i].v[d] - b[i].v[d]));
+      f = std::max(f, std::abs(a[i].f[d] - b[i].f[d]));
+      most = std::max(most, std::abs(a[i].f[d]));
+    }
+  EXPECT_LT(x, 1e-13);
+  EXPECT_LT(v, 1e-9);
+  EXPECT_LT(f, 1e-6 * most);
+  double contacts = lean.fix("floor")->compute_vector(1) + lean.fix("side")->compute_vector(1), all;
+  MPI_Allreduce(&contacts, &all, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  EXPECT_GT(all, 100);
+}
+
+}  // namespace
+
+TEST(FixWallGranLean, pushesAsStockDoes)
+{
+  same("", 1500);
+}
+
+TEST(FixWallGranLean, takesTheModelsSwitches)
+{
+  same("tangential_damping off limitForce on", 1000);
+}
+
+TEST(FixWallGranLean, keepsDisplacementsWhereStockDoes)
+{
+  // so that a restart may go on with either
+  double size[2] = {0, 0};
+  const char *styles[2] = {"wall/gran", "wall/gran/lean"};
+  for (int h = 0; h < 2; h++) {
+    Host host;
+    host(thrown(styles[h]));
+    double sum = 0;
+    for (int part = 0; part < 10; part++) {
+      host("run 200\n");
+      for (const char *wall : {"history_floor", "history_side", "history_xl"}) {
+        auto *kept = dynamic_cast<LAMMPS_NS::FixPropertyAtom *>(host.fix(wall));
+        ASSERT_TRUE(kept);
+        for (int i = 0; i < host.lmp->atom->nlocal; i++)
+          for (int d = 0; d < 3; d++) sum += std::abs(kept->array_atom[i][d]);
+      }
+    }
+    MPI_Allreduce(&sum, &size[h], 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  }
+  EXPECT_GT(size[0], 1e-7);
+  EXPECT_NEAR(size[1], size[0], 1e-8 * size[0]);
+}

@@ -5,7 +5,10 @@
 /// What it calls in its loops has to be CLAY_INLINE, to become part of each.
 #pragma once
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#if defined(CLAY_ONE_CLONE)
+// one and the same everywhere, for counting instructions
+#define CLAY_CLONES
+#elif defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #if __GNUC__ >= 12
 #define CLAY_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else

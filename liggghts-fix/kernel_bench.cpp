@@ -1,0 +1,27 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+// Google Benchmarks of the DEM half's kernels.
+#include <benchmark/benchmark.h>
+
+#include "kernel_scenes.h"
+
+namespace {
+
+void contact(benchmark::State &state)
+{
+  clay::ContactScene scene(static_cast<int>(state.range(0)));
+  for (auto _ : state) scene.step();
+  state.SetItemsProcessed(state.iterations() * scene.pairs.size());
+}
+
+void coulomb(benchmark::State &state)
+{
+  clay::CoulombScene scene(static_cast<int>(state.range(0)));
+  for (auto _ : state) scene.step();
+  state.SetItemsProcessed(state.iterations() * scene.groups.x.size());
+}
+
+}  // namespace
+
+BENCHMARK(contact)->Arg(12)->Arg(40);
+BENCHMARK(coulomb)->Arg(4)->Arg(8);
+BENCHMARK_MAIN();

@@ -1,0 +1,27 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a kernel once, for callgrind to count its instructions
+// (validation/instructions): kernel_counts contact|coulomb
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "kernel_scenes.h"
+
+int main(int argc, char **argv)
+{
+  const std::string which = argc == 2 ? argv[1] : "";
+  if (which == "contact") {
+    clay::ContactScene scene(12);
+    scene.step();
+    std::printf("pairs %d\n", scene.pairs.size());
+    return std::isfinite(scene.f[0]) ? 0 : 1;
+  }
+  if (which == "coulomb") {
+    clay::CoulombScene scene(4);
+    scene.step();
+    std::printf("spheres %zu\n", scene.groups.x.size());
+    return std::isfinite(scene.groups.fx[0]) ? 0 : 1;
+  }
+  std::fprintf(stderr, "kernel_counts: choose contact or coulomb\n");
+  return 1;
+}

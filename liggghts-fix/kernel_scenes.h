@@ -1,0 +1,71 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file kernel_scenes.h
+/// What the kernels are measured on: the same numbers on every machine.
+#ifndef CLAY_KERNEL_SCENES_H
+#define CLAY_KERNEL_SCENES_H
+
+#include <vector>
+
+#include "contact_kernel.h"
+#include "coul_kernel.h"
+
+namespace clay {
+
+/// Spheres on a lattice a little closer than they are wide: every pair touches.
+struct ContactScene {
+  std::vector<double> x, v, omega, f, torque;
+  ContactPairs pairs;
+
+  explicit ContactScene(int side)
+  {
+    const double r = 1e-3;
+    const double shear[3] = {1e-8, 2e-8, -1e-8};
+    const ContactLaw law = {750, 750, 0.01, 0.01, 0.5};
+    const auto at = [side](int i, int j, int k) { return (i * side + j) * side + k; };
+    for (int i = 0; i < side; i++)
+      for (int j = 0; j < side; j++)
+        for (int k = 0; k < side; k++) {
+          const int n = at(i, j, k);
+          for (int c : {i, j, k}) x.push_back(1.99 * r * c + 1e-6 * (n % 7));
+          for (int c = 0; c < 3; c++) {
+            v.push_back(1e-3 * ((n + c) % 5 - 2));
+            omega.push_back(0.1 * ((n + c) % 3 - 1));
+          }
+          if (i) pairs.add(n, at(i - 1, j, k), r, r, law, shear, true);
+          if (j) pairs.add(n, at(i, j - 1, k), r, r, law, shear, true);
+          if (k) pairs.add(n, at(i, j, k - 1), r, r, law, shear, true);
+        }
+    f.assign(x.size(), 0.0);
+    torque.assign(x.size(), 0.0);
+  }
+
+  void step()
+  {
+    const ContactSpheres s = {x.data(), v.data(), omega.data(), f.data(), torque.data(),
+                              static_cast<int>(x.size() / 3)};
+    contactForces(s, pairs, 1e-5, true, false);
+  }
+};
+
+/// Clumps of 14 charged spheres on a lattice.
+struct CoulombScene {
+  ChargeGroups groups;
+  CoulombLaw law;
+
+  explicit CoulombScene(int side)
+  {
+    law.cutoff = 0.012;
+    for (int b = 0; b < side * side * side; b++) {
+      const double c[3] = {8e-3 * (b % side), 8e-3 * (b / side % side), 8e-3 * (b / side / side)};
+      for (int s = 0; s < 14; s++)
+        groups.add(c[0] + 1e-3 * (s % 4), c[1] + 1e-3 * (s / 4 % 4), c[2] + 1e-3 * (s % 2), s % 2 ? 4e-10 : -4e-10);
+      groups.close(b, true);
+    }
+  }
+
+  void step() { coulombForces(groups, law); }
+};
+
+}  // namespace clay
+
+#endif

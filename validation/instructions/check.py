@@ -1,0 +1,47 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""Instructions of the kernels, as callgrind counts them, against a stored baseline."""
+
+import csv
+import os
+import re
+import shutil
+
+import coupled
+from frame import Broken
+
+TITLE = "instruction counts of the kernels (callgrind)"
+HERE = os.path.dirname(os.path.abspath(__file__))
+GROWTH = 0.05
+# kernel: program, its arguments, the function that is counted with all it calls
+KERNELS = {
+    "contact": ("kernel_counts", ["contact"], "clay::contactForces*"),
+    "coulomb": ("kernel_counts", ["coulomb"], "clay::coulombForces*"),
+    "overlap": ("mappingCost", ["--gtest_filter=mappingCost.onePass"], "Foam::voidFractionModels::exactOverlap::weights*"),
+}
+
+
+def count(program, arguments, function):
+    path = os.path.join(coupled.TOP, "build", "bin", program)
+    folder = os.path.join(coupled.RUNS, "instructions")
+    os.makedirs(folder, exist_ok=True)
+    outcome = coupled.execute(
+        ["valgrind", "--tool=callgrind", "--trace-children=yes", "--collect-atstart=no",
+         f"--toggle-collect={function}",
+         f"--callgrind-out-file={os.path.join(folder, program)}.%p", path, *arguments], 300)
+    found = re.search(r"Collected : (\d+)", outcome.output)
+    if not found or int(found.group(1)) == 0:
+        raise Broken(f"callgrind counted nothing in {function} of {program}: "
+                     f"{outcome.output.strip().splitlines()[-1:]}")
+    return int(found.group(1))
+
+
+def run(checks):
+    if not shutil.which("valgrind"):
+        raise Broken("valgrind is not installed")
+    with open(os.path.join(HERE, "baseline.csv"), encoding="utf-8") as file:
+        baseline = {row["kernel"]: int(row["instructions"])
+                    for row in csv.DictReader(line for line in file if not line.startswith("#"))}
+    for kernel, arguments in KERNELS.items():
+        now = count(*arguments)
+        checks.at_most(f"{kernel}: instructions over the baseline's {baseline[kernel]}",
+                       now / baseline[kernel], 1 + GROWTH)

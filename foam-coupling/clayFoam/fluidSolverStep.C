@@ -163,8 +163,16 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fluidSolver::faceInertia
       - fvc::flux(inertia*U_.oldTime())
     );
 
-    // the flux of walls and inlets is that of U there
-    offWalls(tphi.ref());
+    // at walls and inlets the flux is that of U; at an outlet its difference
+    // from U's would keep the last cells' U as it is
+    surfaceScalarField::Boundary& faces = tphi.ref().boundaryFieldRef();
+    forAll(faces, patchi)
+    {
+        if (!faces[patchi].coupled())
+        {
+            faces[patchi] == 0;
+        }
+    }
 
     return tphi;
 }

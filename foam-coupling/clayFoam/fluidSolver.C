@@ -189,8 +189,8 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
             )
         )
         {
+            // nothing is given: what the particles give is owed
             ++coupling.statistics().quietIntervals;
-            coupling.record();
             return runTime_.writeTime();
         }
         if (!coupling.properties().frozenFluid())
@@ -212,7 +212,7 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
         n = n > 1 ? subSteps(left) : 0;
         writeDue = runTime_.writeTime() || writeDue;
     }
-    quiet_->solved(before, U_, coupling.Sp(), coupling.source());
+    quiet_->solved(before, U_);
 
     return writeDue;
 }

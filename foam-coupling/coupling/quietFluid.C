@@ -10,7 +10,6 @@ Foam::quietFluid::quietFluid(const scalar fraction)
     largest_(0),
     change_(-1),
     left_(0),
-    source_(),
     boundary_()
 {}
 
@@ -39,13 +38,13 @@ bool Foam::quietFluid::holds
         return false;
     }
 
-    bool same = source_.size() == U.size();
+    bool same = true;
     for (label celli = 0; same && celli < U.size(); ++celli)
     {
         const vector source(F[celli] - Sp[celli]*U[celli]);
         same =
             mag(ddtN[celli])*interval <= 1e-9
-         && mag(source - source_[celli])*interval <= e*n[celli];
+         && mag(source)*interval <= e*n[celli];
     }
 
     U.correctBoundaryConditions();
@@ -72,9 +71,7 @@ bool Foam::quietFluid::holds
 void Foam::quietFluid::solved
 (
     const vectorField& before,
-    const volVectorField& U,
-    const volScalarField& Sp,
-    const volVectorField& F
+    const volVectorField& U
 )
 {
     if (!active())
@@ -86,7 +83,6 @@ void Foam::quietFluid::solved
     largest_ = max(largest_, gMax(mag(cells)()));
     change_ = gMax(mag(cells - before)());
     left_ = 0;
-    source_ = F.primitiveField() - Sp.primitiveField()*cells;
 
     boundary_.setSize(U.boundaryField().size());
     forAll(boundary_, patchi)

@@ -28,7 +28,7 @@ fi
 fail() { echo "setup: $*" >&2; exit 1; }
 
 packages="cmake g++ make liggghts libliggghts-dev openmpi-bin libopenmpi-dev
-    libeigen3-dev nlohmann-json3-dev libgtest-dev packmol
+    libeigen3-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev packmol valgrind
     python3 python3-numpy python3-matplotlib python3-scipy"
 # the headers of the package come from its source, a compressed tar file
 [ "$flavour" != packaged ] || packages="$packages openfoam libopenfoam bzip2 xz-utils"

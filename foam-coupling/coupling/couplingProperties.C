@@ -334,7 +334,7 @@ Foam::couplingProperties::couplingProperties(const Time& runTime)
             << exit(FatalIOError);
     }
 
-    keepMapping_ = take<scalar>("keepMapping", 1e-5);
+    keepMapping_ = take<scalar>("keepMapping", 1e-12);
     if (!(keepMapping_ >= 0 && keepMapping_ <= 0.1))
     {
         FatalIOErrorInFunction(*this)

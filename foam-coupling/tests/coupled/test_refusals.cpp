@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"unselected", "dragModel DiFelice; ergunWenYuBlendedCoeffs { width 0.1; }",
             "unknown entry ergunWenYuBlendedCoeffs; dragModel is DiFelice"},
         Bad{"drag", "dragModel ergunWenYuBlend;",
-            "SchillerNaumann ergunWenYu ergunWenYuBlended); the nearest one is ergunWenYuBlended"},
+            "WenYu ergunWenYu ergunWenYuBlended); the nearest one is ergunWenYuBlended"},
         Bad{"void", "voidFractionModel exact;", "voidFractionModel exact is not known"},
         Bad{"model", "model C;", "model C is not known; known are (A B)"},
         Bad{"force", "forceModels (lift buoyancy);", "lift is not known"},

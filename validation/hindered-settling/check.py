@@ -60,7 +60,7 @@ def run(checks):
                                   "--set", f"dem_step={step}", "--set", "stiffness=0.3")
         # the lowest and the topmost layer change by then: the floor fills, the dense one loosens
         law = DragLawFlux("DiFelice", D, RHO_P, RHO_F, viscosity / RHO_F, phi_m=0.7)
-        inner, found = phi[1:-1], velocities(folder, 1)[1:-1]
+        inner, found = phi[1:-1], velocities(folder, 3)[1:-1]
         alone = float(law.velocity(1e-9))
         re = alone * D * RHO_F / viscosity
         for share, a, b in zip(inner, found, law.velocity(inner)):

@@ -51,6 +51,11 @@ def run(checks):
                     DragLawFlux(law, D, RHO_P, RHO_F, MU / RHO_F, phi_m=0.7).velocity(phi) / STOKES)
         for share, a, b in zip(phi, found, expected):
             checks.close(f"{law}: v/v_Stokes at phi = {share:g}", a, b, 0.02)
+        if law == "WenYu":
+            zaki = reference.table("richardson_zaki_exponents")
+            fit = float(np.polyfit(np.log(1 - phi), np.log(found), 1)[0])
+            checks.close("WenYu: exponent n of (1 - phi)^n, Richardson and Zaki's at low Re", fit,
+                         float(zaki["n_Richardson_Zaki"][0]), 0.02)
         series += [(law, phi, found, "dots")]
         if column:
             series += [(None, table["phi"], np.where(table["phi"] < 0.02, np.nan, table[column]), "line")]

@@ -69,7 +69,7 @@ def short(value):
 
 def line(row):
     """A row of the table; a failed one says all it knows."""
-    said = f"{row['verdict']:<5}{row['case']:<18}{row['quantity']:<60}"
+    said = f"{row['verdict']:<5}{row['case']:<21}{row['quantity']:<60}"
     value, reference = short(row["value"]), short(row["reference"])
     if row["verdict"] != "pass":
         return f"{said}\n     found {value}; wanted {row['gate']} {reference}".rstrip()

@@ -64,7 +64,7 @@ def main():
             modules[name] = _Unreadable(e)
     if args.list:
         for name, module in modules.items():
-            print(f"{name:<20}{'(long) ' if getattr(module, 'LONG', False) else ''}{module.TITLE}")
+            print(f"{name:<22}{'(long) ' if getattr(module, 'LONG', False) else ''}{module.TITLE}")
         return 0
 
     os.makedirs(RUNS, exist_ok=True)

@@ -46,7 +46,8 @@ def run(checks):
         slope = _gradient(z, p)
         first = first or slope
         checks.close(f"{kind}: pressure gradient inside [Pa/m], against Ergun", slope, law, 0.02)
-        checks.close(f"{kind}: the same, against hexahedra", slope, first, 0.02)
+        if kind != "hex":
+            checks.close(f"{kind}: the same, against hexahedra", slope, first, 0.02)
         inside = (z > _LOW) & (z < _HIGH)
         flow = n[inside] * u[inside, 2]
         checks.close(f"{kind}: mean of n U inside [m/s]", float(flow.mean()), _SPEED, 0.01)

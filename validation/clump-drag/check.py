@@ -78,7 +78,7 @@ def run(checks):
                      "speed [m/s]", fast[body][-1], wanted, 0.02)
 
     checks.at_most("2 + 2 ranks, a clump across the border: largest relative difference of a speed (6 digits)",
-                   max(abs(parts[b][-1] / speeds[b][-1] - 1) for b in speeds), 2e-6)
+                   float(np.max([abs(parts[b][-1] / speeds[b][-1] - 1) for b in speeds])), 2e-6)
     for what, where in (("resistance", folder), ("resistance, Re 27 to 52", swift), ("2 + 2 ranks", shared)):
         s = summary(where)
         checks.at_most(f"{what}: momentum residual", s["max_momentum_residual"], 1e-10)

@@ -56,7 +56,7 @@ def run(checks):
         count = 36 * next((int(s.split("=")[1]) for s in settings if s.startswith("across_z")), 8)
         start = count * density * 4 / 3 * np.pi * 1e-9 * np.array([0.03, 0.0, 0.05])
         size = np.linalg.norm(start)
-        drift = max(np.linalg.norm(p + f + owed - start) for _, p, f, owed in rows) / size
+        drift = float(np.max([np.linalg.norm(p + f + owed - start) for _, p, f, owed in rows])) / size
         checks.at_most(f"{name}: drift of the sum of both momenta, over the start's", drift, 1e-10)
         checks.at_least(f"{name}: part of the momentum that changed hands",
                         np.linalg.norm(rows[-1][2]) / size, 0.02)

@@ -57,6 +57,8 @@ class FixCoupleFoam : public Fix {
   /// Before each step in which they keep still. False when the fluid's force on a
   /// particle has changed by more than this part of its weight.
   bool rest_step(double tolerance);
+  /// Gives the particles the impulse of the steps they kept still, before one that is computed.
+  void book_rest();
 
   double memory_usage();
   void grow_arrays(int);
@@ -99,7 +101,6 @@ class FixCoupleFoam : public Fix {
   bool free_sphere(int i) const;
   void list_free();
   void still_forces(std::vector<double> &forces) const;
-  void book_rest();
 
   int interval_;                 // DEM steps between two exchanges
   double dt_;                    // DEM step at the start of the run [s]

@@ -15,8 +15,10 @@
 #include "fix_couple_foam.h"
 #include "fix_gravity.h"
 #include "fix_wall_gran.h"
+#include "force.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "pair_coul_clump.h"
 #include "update.h"
 #include "verlet_clay.h"
 
@@ -102,6 +104,10 @@ std::string FixRestBed::why_not() const
     "store/", "contactproperty" };
 
   if (modify->n_fixes_style("gravity") == 0) return "there is no gravity to hold a bed";
+  Pair *pair = force->pair ? force->pair_match("coul/clump",1) : NULL;
+  const PairCoulClump *coul = dynamic_cast<PairCoulClump*>(pair);
+  if (coul && coul->kicks())
+    return "pair coul/clump gives its force in impulses; every N hold is wanted";
   for (int i = 0; i < modify->nfix; i++) {
     const Fix *fix = modify->fix[i];
     if (!strncmp(fix->style,"wall/gran",9)) {
@@ -119,8 +125,18 @@ std::string FixRestBed::why_not() const
 
 /* ---------------------------------------------------------------------- */
 
+void FixRestBed::count_left_out()
+{
+  const bigint passed = skipped_ - left_out_;   // since the look before
+  left_out_ = skipped_;
+  watch_.only(passed ? double(passed)/window_ : 0.);
+}
+
+/* ---------------------------------------------------------------------- */
+
 bool FixRestBed::begin(int n)
 {
+  count_left_out();
   watch_.restart(limits_);
   built_ = -1;
   FixCoupleFoam *fluid = dynamic_cast<FixCoupleFoam*>(modify->find_fix_style("couple/foam",0));
@@ -128,7 +144,7 @@ bool FixRestBed::begin(int n)
   const double seconds = seconds_ > 0. ? seconds_ : 500*update->dt;
   const bigint steps = std::max<bigint>(1,static_cast<bigint>(std::llround(seconds/update->dt)));
   window_ = (steps + every - 1)/every*every;
-  next_ = update->ntimestep + window_;
+  next_ = next_window();
 
   FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
   double g[3] = {0.,0.,0.};
@@ -142,10 +158,7 @@ bool FixRestBed::begin(int n)
 
 bigint FixRestBed::look()
 {
-  const bigint passed = skipped_ - left_out_;   // since the look before
-  left_out_ = skipped_;
-  if (passed) watch_.only(double(passed)/window_);
-
+  count_left_out();
   const int n = atom->nlocal;
   const double *x = n ? atom->x[0] : NULL;
   double most[3] = {0.,-1e300,0.}, sum[2] = {0.,double(n)};
@@ -178,8 +191,24 @@ bigint FixRestBed::look()
 void FixRestBed::woken()
 {
   wakings_++;
+  recomputed();
+}
+
+
+void FixRestBed::recomputed()
+{
+  count_left_out();
   watch_.wake();
-  next_ = update->firststep + ((update->ntimestep - update->firststep)/window_ + 1)*window_;
+  next_ = next_window();
+}
+
+/* ----------------------------------------------------------------------
+   windows end where exchanges are
+------------------------------------------------------------------------- */
+
+bigint FixRestBed::next_window() const
+{
+  return update->firststep + ((update->ntimestep - update->firststep)/window_ + 1)*window_;
 }
 
 /* ----------------------------------------------------------------------

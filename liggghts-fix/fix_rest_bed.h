@@ -41,12 +41,16 @@ class FixRestBed : public Fix {
   void passed() { skipped_++; }
   /// Steps are computed again before all were left out: the fluid has changed, or particles come.
   void woken();
+  /// Likewise, since the processors have changed their particles.
+  void recomputed();
   /// Change of the fluid's force on a particle that wakes the bed, over its weight.
   double fluid_tolerance() const { return fluid_; }
 
  private:
   void parse(int narg, char **arg);
   std::string why_not() const;
+  void count_left_out();
+  bigint next_window() const;
 
   double seconds_, fluid_;
   clay::RestLimits limits_;

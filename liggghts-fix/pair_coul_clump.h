@@ -44,6 +44,8 @@ class PairCoulClump : public Pair {
   const clay::CoulombLaw &law() const { return law_; }
   /// Charge of a sphere of an atom type [C].
   double charge(int type) const { return charge_[type]; }
+  /// Whether a step has the force of several, and the others none.
+  bool kicks() const { return every_ > 1 && !hold_; }
   /// Steps between two evaluations.
   int every() const { return every_; }
   /// Number of evaluations since the start.

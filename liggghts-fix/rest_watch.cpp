@@ -25,6 +25,8 @@ double RestWatch::here() const
 
 void RestWatch::wake()
 {
+  left_out_ += out_;
+  out_ = 0;
   missed_ += here();
   quiet_ = 0;
   row_ = 1;
@@ -35,12 +37,16 @@ void RestWatch::restart(const RestLimits &limits)
 {
   limits_ = limits;
   wake();
-  out_ = 0;
 }
 
 int RestWatch::windows(const RestSight &sight, bool whole)
 {
-  const bool probe = out_ > 0, still = whole && sight.farthest <= limits_.move;
+  if (!whole) {  // other particles, maybe: their mean height tells nothing of the rest before
+    wake();
+    mean_ = sight.mean;
+    return 0;
+  }
+  const bool probe = out_ > 0, still = sight.farthest <= limits_.move;
   if (quiet_ == 0) first_ = mean_;
   mean_ = sight.mean;
   computed_++;

@@ -45,8 +45,9 @@ class RestWatch {
   void restart(const RestLimits &limits);
   /// After a computed window: windows to leave out now. Not `whole`: nothing is known of it.
   int windows(const RestSight &sight, bool whole);
-  /// Fewer were left out in the end.
+  /// So many were left out in the end.
   void only(double windows) { out_ = windows; }
+  /// The rest is over; what was left out so far is charged with its drift.
   void wake();
 
   double missed() const { return missed_ + here(); }  ///< estimate of what the mean height missed [m]

@@ -107,3 +107,22 @@ TEST(RestWatch, rockingInPlaceIsNoDrift)
   EXPECT_GT(out, 25000);
   EXPECT_LT(w.missed(), 1e-4);
 }
+
+TEST(RestWatch, otherParticlesAreNoDrift)
+{
+  RestLimits limits;
+  limits.quiet = 1;
+  RestWatch w;
+  w.restart(limits);
+  w.windows(still(1e-4, 0.5), false);
+  w.windows(still(1e-4, 0.5), true);
+  w.windows(still(1e-4, 0.49999), true);
+  // woken halfway through the two left out; one more before, 10 um in two computed windows
+  w.only(1.0);
+  w.wake();
+  EXPECT_NEAR(w.missed(), 1e-5, 1e-12);
+  // what was inserted lies high up
+  w.windows(still(0, 0.7), false);
+  w.windows(still(1e-4, 0.7), true);
+  EXPECT_NEAR(w.missed(), 1e-5, 1e-12);
+}

@@ -9,6 +9,7 @@
 #include "fix_couple_foam.h"
 #include "fix_rest_bed.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "output.h"
 #include "signal_handling.h"
 #include "timer.h"
@@ -75,8 +76,11 @@ void VerletClay::pass(bigint end)
     }
     ev_set(step);
     if (eflag || vflag) {
+      if (fluid_) fluid_->book_rest();
       Verlet::run(1);
-      continue;
+      if (neighbor->lastcall < step) continue;
+      rest_->recomputed();
+      break;
     }
     if (fluid_ && !fluid_->rest_step(rest_->fluid_tolerance())) {
       rest_->woken();

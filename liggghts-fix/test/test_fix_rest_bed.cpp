@@ -78,12 +78,23 @@ TEST(FixRestBed, wakesForANewSphere)
   for (const auto &a : some.atoms()) if (a.type == 2) z[1] = a.x[2];
   EXPECT_LT(z[0], 0.0115);
   EXPECT_NEAR(z[1], z[0], 2e-5);
+  // its height is nothing that the bed has missed
+  EXPECT_LT(some.fix("rest")->compute_vector(1), 5e-4 * mean_height(some));
 }
 
 TEST(FixRestBed, leavesScriptsAloneThatActByThemselves)
 {
   Host host;
   host(fall("fix rest all rest/bed window 2e-3\nfix pull all spring/self 1e-9\nrun 20000\n"));
+  EXPECT_EQ(skipped(host), 0);
+}
+
+TEST(FixRestBed, leavesForcesInImpulsesAlone)
+{
+  std::string script = fall("fix rest all rest/bed window 2e-3\nrun 20000\n");
+  script.replace(script.find("coul/clump 0.004"), 16, "coul/clump 0.004 every 10");
+  Host host;
+  host(script);
   EXPECT_EQ(skipped(host), 0);
 }
 

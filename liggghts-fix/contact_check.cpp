@@ -260,6 +260,7 @@ double LAMMPS_NS::present_step_limit(LAMMPS *lmp, int *contacts)
   }
   for (FixWallGran *w : primitive_walls(lmp))
     for (int i = 0; i < atom.nlocal; i++) {
+      if (!(atom.mask[i] & w->groupbit)) continue;
       double to_wall[3] = {0, 0, 0};
       if (w->primitiveWall()->resolveContact(atom.x[i], atom.radius[i], to_wall) >= 0) continue;
       double at[3];

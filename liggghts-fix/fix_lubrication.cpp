@@ -197,7 +197,7 @@ void FixLubrication::seek_walls()
     for (int i = 0; i < atom->nlocal; i++) {
       double to[3];
       const double r = atom->radius[i];
-      if ((atom->mask[i] & groupbit) &&
+      if ((atom->mask[i] & groupbit) && (atom->mask[i] & walls_[w]->groupbit) &&
           wall->resolveContact(atom->x[i],r,to) < law_.outer*r + 0.5*neighbor->skin)
         beside_.push_back(std::make_pair(static_cast<int>(w),i));
     }

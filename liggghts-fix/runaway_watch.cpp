@@ -95,6 +95,7 @@ void RunawayWatch::overlaps(double overlap, int tag1, int tag2)
   }
   for (FixWallGran *w : primitive_walls(lmp))
     for (int i = 0; i < atom->nlocal; i++) {
+      if (!(atom->mask[i] & w->groupbit)) continue;
       double to_wall[3];
       const double gap = w->primitiveWall()->resolveContact(atom->x[i],atom->radius[i],to_wall);
       if (gap >= 0.) continue;

@@ -103,3 +103,14 @@ TEST(RunawayWatch, namesTheParticleAndSinceWhen)
   expect(said([&]() { watch.overlaps(0, 0, 0); }), "is pressed 0.45 d into the wall of fix floor");
   host.lmp->update->ntimestep = 0;
 }
+
+TEST(RunawayWatch, aWallHoldsItsGroupAlone)
+{
+  Host host(MPI_COMM_SELF);
+  place(host);
+  host("group none type 2\nfix lid none wall/gran model hooke/stiffness tangential history primitive type 1 zplane 0.0001\nrun 0\n");
+  Throwing watch(host.lmp.get());
+  watch.start();
+  watch.overlaps(0, 0, 0);
+  EXPECT_EQ(watch.wall_overlap(), 0);
+}

@@ -161,21 +161,26 @@ bigint FixRestBed::look()
   count_left_out();
   const int n = atom->nlocal;
   const double *x = n ? atom->x[0] : NULL;
-  double most[3] = {0.,-1e300,0.}, sum[2] = {0.,double(n)};
+  double most[4] = {0.,-1e300,0.,0.}, sum[2] = {0.,double(n)};
   const bool same = built_ == neighbor->lastcall && places_.size() == n;
   most[0] = same ? 0. : 1.;                     // particles may have changed places in memory
-  if (same && n) most[2] = places_.farthest(x,atom->radius);
+  if (!watch_.resting()) begun_ = places_;
+  if (same && n) {
+    most[2] = places_.farthest(x,atom->radius);
+    most[3] = begun_.farthest(x,atom->radius);
+  }
   for (int i = 0; i < n; i++) {
     const double h = x[3*i]*up_[0] + x[3*i+1]*up_[1] + x[3*i+2]*up_[2];
     sum[0] += h;
     most[1] = std::max(most[1],-h);
   }
-  double mosts[3], sums[2];
-  MPI_Allreduce(most,mosts,3,MPI_DOUBLE,MPI_MAX,world);
+  double mosts[4], sums[2];
+  MPI_Allreduce(most,mosts,4,MPI_DOUBLE,MPI_MAX,world);
   MPI_Allreduce(sum,sums,2,MPI_DOUBLE,MPI_SUM,world);
 
   clay::RestSight sight;
   sight.farthest = mosts[2];
+  sight.gone = mosts[3];
   sight.mean = sums[1] > 0. ? sums[0]/sums[1] : 0.;
   sight.height = sight.mean + mosts[1];
   const bigint windows = watch_.windows(sight,mosts[0] == 0. && sums[1] > 0.);
@@ -222,5 +227,5 @@ double FixRestBed::compute_vector(int n)
 
 double FixRestBed::memory_usage()
 {
-  return 3.0*places_.size()*sizeof(double);
+  return 3.0*(places_.size() + begun_.size())*sizeof(double);
 }

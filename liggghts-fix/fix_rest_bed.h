@@ -55,7 +55,7 @@ class FixRestBed : public Fix {
   double seconds_, fluid_;
   clay::RestLimits limits_;
   clay::RestWatch watch_;
-  clay::RestPlaces places_;
+  clay::RestPlaces places_, begun_;   // at the last look, and when the rest began
 
   bool able_;            // all of the script's fixes keep still when nothing moves
   double up_[3];         // against gravity

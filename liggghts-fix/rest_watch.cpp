@@ -28,6 +28,8 @@ void RestWatch::wake()
   left_out_ += out_;
   out_ = 0;
   missed_ += here();
+  if (computed_ > 0) behind_ += gone_ * left_out_ / computed_;
+  gone_ = 0;
   quiet_ = 0;
   row_ = 1;
   computed_ = left_out_ = 0;
@@ -52,6 +54,7 @@ int RestWatch::windows(const RestSight &sight, bool whole)
   computed_++;
   left_out_ += out_;
   out_ = 0;
+  if (still) gone_ = sight.gone;
   if (!still) {
     wake();
     return 0;
@@ -62,6 +65,9 @@ int RestWatch::windows(const RestSight &sight, bool whole)
   const double drift = std::fabs(mean_ - first_) / computed_, left = limits_.error * sight.height - missed();
   int n = row_;
   if (n * drift > left) n = left > 0 ? static_cast<int>(left / drift) : 0;
+  // n + left_out_ times a particle's way in a window
+  const double may = (limits_.behind - behind_) * computed_;
+  if ((n + left_out_) * gone_ > may) n = may > 0 ? std::max(0, static_cast<int>(may / gone_ - left_out_)) : 0;
   out_ = n;
   return n;
 }

@@ -12,6 +12,7 @@ namespace clay {
 struct RestLimits {
   double move = 0.02;  ///< largest way of a particle in a window, over its radius
   double error = 5e-4;  ///< sum of what the mean height may have missed, over that height
+  double behind = 0.5;  ///< sum of what any particle may have missed, over its radius
   int quiet = 3;        ///< windows at rest before the first is left out
   int longest = 32;     ///< windows left out in a row
 };
@@ -19,6 +20,7 @@ struct RestLimits {
 /// What is seen of the particles in a window, over all processors.
 struct RestSight {
   double farthest = 0;  ///< largest way of a particle over its radius
+  double gone = 0;      ///< likewise since the rest began
   double height = 0;    ///< mean height above the lowest particle [m]
   double mean = 0;      ///< mean height, from anywhere [m]
 };
@@ -39,7 +41,8 @@ class RestPlaces {
 /// Counts windows at rest. In a bed at rest a window is computed now and then, after
 /// 1, 2, 4 ... windows that are not. The mean height's drift over the computed
 /// windows since the bed came to rest stands for those that were left out; particles
-/// that rock in their places add nothing to it in the long run.
+/// that rock in their places add nothing to it in the long run. So does each particle's own
+/// way since, whatever its direction, for a particle that rolls on a bed at rest.
 class RestWatch {
  public:
   void restart(const RestLimits &limits);
@@ -50,6 +53,7 @@ class RestWatch {
   /// The rest is over; what was left out so far is charged with its drift.
   void wake();
 
+  bool resting() const { return quiet_ > 0; }
   double missed() const { return missed_ + here(); }  ///< estimate of what the mean height missed [m]
 
  private:
@@ -61,6 +65,7 @@ class RestWatch {
   double first_ = 0, mean_ = 0;         // mean height at rest's beginning, and now [m]
   double computed_ = 0, left_out_ = 0;  // windows since
   double missed_ = 0;                   // in the rests before [m]
+  double gone_ = 0, behind_ = 0;        // largest way in this rest; missed of such in those before, in radii
 };
 
 }  // namespace clay

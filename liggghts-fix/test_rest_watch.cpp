@@ -126,3 +126,21 @@ TEST(RestWatch, otherParticlesAreNoDrift)
   w.windows(still(1e-4, 0.7), true);
   EXPECT_NEAR(w.missed(), 1e-5, 1e-12);
 }
+
+TEST(RestWatch, aParticleThatRollsIsNotLeftBehind)
+{
+  RestLimits limits;
+  limits.quiet = 1;
+  RestWatch w;
+  w.restart(limits);
+  w.windows(still(0.01), false);
+  long out = 0;
+  for (int n = 1; n <= 1000; n++) {
+    RestSight s = still(0.01);
+    // lists are built anew every now and then
+    s.gone = 0.01 * (n % 20);
+    out += w.windows(s, n % 20 != 0);
+  }
+  EXPECT_GT(out, 30);
+  EXPECT_LE(out, 51);  // 0.5 radii, at 0.01 in a window
+}

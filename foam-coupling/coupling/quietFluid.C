@@ -10,6 +10,7 @@ Foam::quietFluid::quietFluid(const scalar fraction)
     largest_(0),
     change_(-1),
     left_(0),
+    missed_(0),
     boundary_()
 {}
 
@@ -33,7 +34,7 @@ bool Foam::quietFluid::holds
 
     // the same on all ranks
     const scalar e = fraction_*largest_;
-    if (!(change_*(left_ + 1) <= e) || left_ >= 32)
+    if (!(change_*most <= e - missed_) || left_ >= most)
     {
         return false;
     }
@@ -62,6 +63,7 @@ bool Foam::quietFluid::holds
     if (returnReduce(same, andOp<bool>()))
     {
         ++left_;
+        missed_ += change_;
         return true;
     }
     return false;
@@ -83,6 +85,11 @@ void Foam::quietFluid::solved
     largest_ = max(largest_, gMax(mag(cells)()));
     change_ = gMax(mag(cells - before)());
     left_ = 0;
+    if (change_ > fraction_*largest_)
+    {
+        // it moves: what it missed before is no part of this
+        missed_ = 0;
+    }
 
     boundary_.setSize(U.boundaryField().size());
     forAll(boundary_, patchi)

@@ -263,3 +263,52 @@ TEST(selfDisturbance, steadyPointForce)
     // a third of a force in one cell is longitudinal, less by the faces' means
     EXPECT_GT(force[0].z(), -3*1e-9);
 }
+
+
+// a sphere that leaves through a periodic side and comes in at the other takes
+// its history along
+TEST(selfDisturbance, throughPeriodicSides)
+{
+    const test::meshCase c
+    (
+        test::block({20, 20, 20}, point(-1, -1, -1), point(1, 1, 1))
+    );
+    const scalar h = 0.1, nu = 0.5, rho = 2, T = 0.02*sqr(h)/nu;
+    const auto after = [&](const scalar from)
+    {
+        autoPtr<selfDisturbanceModel> model
+        (
+            selfDisturbanceModel::New
+            (
+                test::settings("selfDisturbance latticeMemory;"),
+                {c.mesh(), "exactOverlap", "mapped", nu, rho, 0, 0, true}
+            )
+        );
+        dispersedParticles p;
+        p.setSize(1);
+        p.radius = 0.02;
+        p.volume = 1e-12;
+        p.mass = 1;
+        p.tag = 7;
+        vectorField velocity, force;
+        scalarField solid;
+        scalar z = from;
+        for (int k = 0; k < 100; ++k)
+        {
+            z -= 0.006;
+            p.position[0] = point(0.05, 0.05, z < -1 ? z + 2 : z);
+            p.locate(c.mesh());
+            p.impulse = k > 0 ? vector(0, 0, -3*T) : vector::zero;
+            model->evaluate
+            (
+                p, T, vectorField(1, Zero), scalarField(1, 1.0),
+                velocity, solid, force
+            );
+            model->sent(p, scalarField(1, 0.0), vectorField(1, Zero));
+        }
+        return velocity[0];
+    };
+    const vector inside(after(0.53)), through(after(-0.47));
+    EXPECT_GT(mag(inside), 0);
+    EXPECT_NEAR(mag(through - inside), 0, 1e-6*mag(inside));
+}

@@ -141,6 +141,17 @@ Foam::point Foam::latticeMap::middle() const
 }
 
 
+void Foam::disturbanceHistory::move(const vector& by)
+{
+    last.centre += by;
+    before.centre += by;
+    for (entry& e : entries)
+    {
+        e.map.centre += by;
+    }
+}
+
+
 void Foam::disturbanceHistory::add
 (
     const scalar T,

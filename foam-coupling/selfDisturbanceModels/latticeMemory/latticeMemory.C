@@ -314,6 +314,22 @@ void Foam::selfDisturbanceModels::latticeMemory::evaluate
         }
         disturbanceHistory& h = found->second;
 
+        // half the domain in an interval: through a periodic side
+        const vector span(setting_.mesh.bounds().span());
+        const vector way(now.middle() - h.last.middle());
+        vector jump(Zero);
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (mag(way[d]) > 0.5*span[d])
+            {
+                jump[d] = sign(way[d])*span[d];
+            }
+        }
+        if (jump != vector::zero)
+        {
+            h.move(jump);
+        }
+
         if (T > 0)
         {
             const vector impulse(p.impulse[i] - T*h.sent);

@@ -21,6 +21,7 @@ D, RHO_P, RHO_F, MU, H, AREA, STEP = 1e-3, 2600.0, 1000.0, 0.132, 0.06, 1e-4, 4e
 
 
 def run(checks):
+    checks.note("At phi_0 = 0.2 the bed's front rises 4 % too fast, past its gate of 3 %; its spread from seed to seed is not known.")
     table, curves = (reference.table("kynch_batch_sedimentation_" + k) for k in ("formula", "curves"))
     v_t = float(DragLawFlux("WenYu", D, RHO_P, RHO_F, MU / RHO_F).velocity(1e-9))
     unit, series = H / v_t, []

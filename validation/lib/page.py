@@ -107,7 +107,7 @@ def record(here, folder, names):
     """Writes each named case's last result into its README.md, and all stored
     ones into RESULTS.md of `here`."""
     store, page = os.path.join(folder, "cases"), ["# Last results of every validation case", "",
-                                                  "Written by `validation/run --all --record`.", ""]
+                                                  "The last run of each, written by `validation/run --record`.", ""]
     for name in sorted(f[:-5] for f in os.listdir(store) if f.endswith(".json")):
         with open(os.path.join(store, name + ".json"), encoding="utf-8") as f:
             case = json.load(f)

@@ -16,6 +16,7 @@ LONG = True
 
 
 def run(checks):
+    checks.note("ergun-bed rises by 4 %, not 5: its ramp ends a little beyond the onset.")
     for name in ("ergun-bed", "fluidised-bed"):
         folder = coupled.finished(name, os.path.join("bed-ramps", name))
         s = coupled.summary(folder)
@@ -25,7 +26,5 @@ def run(checks):
         checks.at_most(f"{name}: momentum residual", s["max_momentum_residual"], 1e-10)
         checks.close(f"{name}: buoyant weight [Pa]", bed["buoyant_weight_Pa"], beds.weight(s["settings"]), 1e-9)
         checks.close(f"{name}: drop beyond 1.2 u_mf over the buoyant weight", bed["fluidised_drop_over_weight"], 1.0, 0.03)
-        # ergun-bed's ramp ends a little beyond the onset
-        checks.at_least(f"{name}: height at the end over that at rest", bed["interface_at_end_m"] / bed["interface_at_rest_m"],
-                        1.05 if name == "fluidised-bed" else 1.02)
+        checks.at_least(f"{name}: height at the end over that at rest", bed["interface_at_end_m"] / bed["interface_at_rest_m"], 1.05)
         checks.picture(os.path.join(folder, "bed.png"))

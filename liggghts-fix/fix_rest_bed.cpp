@@ -16,20 +16,26 @@
 #include "fix_gravity.h"
 #include "fix_wall_gran.h"
 #include "force.h"
+#include "memory.h"
 #include "modify.h"
-#include "neighbor.h"
 #include "pair_coul_clump.h"
 #include "update.h"
 #include "verlet_clay.h"
 
 using namespace LAMMPS_NS;
 
+namespace {
+
+enum { SIZE = sizeof(clay::RestTrack)/sizeof(double) };
+
+}
+
 /* ---------------------------------------------------------------------- */
 
 FixRestBed::FixRestBed(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp,narg,arg),
-  seconds_(0.), fluid_(0.05), able_(false),
-  window_(0), next_(0), built_(-1), skipped_(0), left_out_(0), wakings_(0)
+  seconds_(0.), fluid_(0.05), tracks_(NULL), able_(false),
+  window_(0), next_(0), looked_(false), skipped_(0), left_out_(0), wakings_(0)
 {
   vector_flag = 1;
   size_vector = 3;
@@ -47,6 +53,18 @@ FixRestBed::FixRestBed(LAMMPS *lmp, int narg, char **arg) :
     delete update->integrate;
     update->integrate = new VerletClay(lmp);
   }
+  create_attribute = 1;   // set_arrays for particles that come within a run
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixRestBed::~FixRestBed()
+{
+  atom->delete_callback(id,0);
+  memory->sfree(tracks_);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -137,8 +155,9 @@ void FixRestBed::count_left_out()
 bool FixRestBed::begin(int n)
 {
   count_left_out();
+  close_rest();
   watch_.restart(limits_);
-  built_ = -1;
+  looked_ = false;
   FixCoupleFoam *fluid = dynamic_cast<FixCoupleFoam*>(modify->find_fix_style("couple/foam",0));
   const bigint every = fluid ? fluid->interval() : 1;
   const double seconds = seconds_ > 0. ? seconds_ : 500*update->dt;
@@ -146,12 +165,24 @@ bool FixRestBed::begin(int n)
   window_ = (steps + every - 1)/every*every;
   next_ = next_window();
 
-  FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
-  double g[3] = {0.,0.,0.};
-  if (gravity) gravity->get_gravity(g);
-  const double size = std::sqrt(g[0]*g[0] + g[1]*g[1] + g[2]*g[2]);
-  for (int k = 0; k < 3; k++) up_[k] = size > 0. ? -g[k]/size : 0.;
+  find_gravity();
+  const double size = std::sqrt(gravity_[0]*gravity_[0] + gravity_[1]*gravity_[1] + gravity_[2]*gravity_[2]);
+  for (int k = 0; k < 3; k++) up_[k] = size > 0. ? -gravity_[k]/size : 0.;
   return able_ && size > 0. && window_ < n;
+}
+
+/* ----------------------------------------------------------------------
+   true when it is another one than before
+------------------------------------------------------------------------- */
+
+bool FixRestBed::find_gravity()
+{
+  double before[3];
+  std::copy(gravity_,gravity_ + 3,before);
+  FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
+  if (gravity) gravity->get_gravity(gravity_);
+  else std::fill(gravity_,gravity_ + 3,0.);
+  return !std::equal(before,before + 3,gravity_);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -160,35 +191,56 @@ bigint FixRestBed::look()
 {
   count_left_out();
   const int n = atom->nlocal;
-  const double *x = n ? atom->x[0] : NULL;
-  double most[4] = {0.,-1e300,0.,0.}, sum[2] = {0.,double(n)};
-  const bool same = built_ == neighbor->lastcall && places_.size() == n;
-  most[0] = same ? 0. : 1.;                     // particles may have changed places in memory
-  if (!watch_.resting()) begun_ = places_;
-  if (same && n) {
-    most[2] = places_.farthest(x,atom->radius);
-    most[3] = begun_.farthest(x,atom->radius);
-  }
+  // largest way, lowest particle, is any new or pulled elsewhere
+  double most[3] = {0.,-1e300,find_gravity() || !looked_ ? 1. : 0.}, mosts[3], sum[2] = {0.,double(n)}, sums[2];
+  looked_ = true;
   for (int i = 0; i < n; i++) {
-    const double h = x[3*i]*up_[0] + x[3*i+1]*up_[1] + x[3*i+2]*up_[2];
+    const double *x = atom->x[i], r = atom->radius[i], h = x[0]*up_[0] + x[1]*up_[1] + x[2]*up_[2];
     sum[0] += h;
     most[1] = std::max(most[1],-h);
+    if (tracks_[i].known == 0.) most[2] = 1.;
+    else most[0] = std::max(most[0],tracks_[i].moved2(x)/(r*r));
   }
-  double mosts[4], sums[2];
-  MPI_Allreduce(most,mosts,4,MPI_DOUBLE,MPI_MAX,world);
+  MPI_Allreduce(most,mosts,3,MPI_DOUBLE,MPI_MAX,world);
   MPI_Allreduce(sum,sums,2,MPI_DOUBLE,MPI_SUM,world);
 
   clay::RestSight sight;
-  sight.farthest = mosts[2];
-  sight.gone = mosts[3];
+  sight.farthest = std::sqrt(mosts[0]);
   sight.mean = sums[1] > 0. ? sums[0]/sums[1] : 0.;
   sight.height = sight.mean + mosts[1];
-  const bigint windows = watch_.windows(sight,mosts[0] == 0. && sums[1] > 0.);
+  const bool whole = mosts[2] == 0. && sums[1] > 0.;
 
-  places_.keep(x,n);
-  built_ = neighbor->lastcall;
+  if (!whole || sight.farthest > limits_.move) close_rest();
+  else {
+    const int computed = watch_.computed() + 1;
+    double allowed = 1e300;
+    for (int i = 0; i < n; i++) {
+      clay::RestTrack &t = tracks_[i];
+      if (!watch_.resting()) t.begin();
+      t.see(atom->x[i],computed);
+      allowed = std::min(allowed,t.allowed(computed,limits_.behind*atom->radius[i]));
+    }
+    MPI_Allreduce(&allowed,&sight.allowed,1,MPI_DOUBLE,MPI_MIN,world);
+  }
+  const bigint windows = watch_.windows(sight,whole);
+
+  for (int i = 0; i < n; i++) {
+    std::copy(atom->x[i],atom->x[i] + 3,tracks_[i].last);
+    tracks_[i].known = 1.;
+  }
   next_ = update->ntimestep + (windows + 1)*window_;
   return windows*window_;
+}
+
+/* ----------------------------------------------------------------------
+   what each particle missed in the rest that is over
+------------------------------------------------------------------------- */
+
+void FixRestBed::close_rest()
+{
+  if (!watch_.resting()) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (tracks_[i].known != 0.) tracks_[i].charge(watch_.computed(),watch_.left_out());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -203,6 +255,7 @@ void FixRestBed::woken()
 void FixRestBed::recomputed()
 {
   count_left_out();
+  close_rest();
   watch_.wake();
   next_ = next_window();
 }
@@ -227,5 +280,32 @@ double FixRestBed::compute_vector(int n)
 
 double FixRestBed::memory_usage()
 {
-  return 3.0*(places_.size() + begun_.size())*sizeof(double);
+  return double(atom->nmax)*sizeof(clay::RestTrack);
+}
+
+void FixRestBed::grow_arrays(int nmax)
+{
+  tracks_ = static_cast<clay::RestTrack*>(memory->srealloc(tracks_,nmax*sizeof(clay::RestTrack),"rest/bed:tracks"));
+}
+
+void FixRestBed::copy_arrays(int i, int j, int)
+{
+  tracks_[j] = tracks_[i];
+}
+
+void FixRestBed::set_arrays(int i)
+{
+  tracks_[i].create();
+}
+
+int FixRestBed::pack_exchange(int i, double *buf)
+{
+  memcpy(buf,tracks_ + i,sizeof(clay::RestTrack));
+  return SIZE;
+}
+
+int FixRestBed::unpack_exchange(int nlocal, double *buf)
+{
+  memcpy(tracks_ + nlocal,buf,sizeof(clay::RestTrack));
+  return SIZE;
 }

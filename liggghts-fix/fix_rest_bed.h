@@ -24,12 +24,18 @@ namespace LAMMPS_NS {
 class FixRestBed : public Fix {
  public:
   FixRestBed(class LAMMPS *, int, char **);
+  ~FixRestBed();
 
   int setmask() { return 0; }
   void init();
   void setup(int) {}
   double compute_vector(int);
   double memory_usage();
+  void grow_arrays(int);
+  void copy_arrays(int, int, int);
+  void set_arrays(int);
+  int pack_exchange(int, double *);
+  int unpack_exchange(int, double *);
 
   /// Start of a run of n steps. True when steps may be left out in it.
   bool begin(int n);
@@ -51,16 +57,18 @@ class FixRestBed : public Fix {
   std::string why_not() const;
   void count_left_out();
   bigint next_window() const;
+  void close_rest();
+  bool find_gravity();
 
   double seconds_, fluid_;
   clay::RestLimits limits_;
   clay::RestWatch watch_;
-  clay::RestPlaces places_, begun_;   // at the last look, and when the rest began
+  clay::RestTrack *tracks_;           // of each atom
 
   bool able_;            // all of the script's fixes keep still when nothing moves
-  double up_[3];         // against gravity
+  double gravity_[3], up_[3];   // and against it
   bigint window_, next_;
-  bigint built_;         // neighbour list of the places that are compared
+  bool looked_;          // in this run
   bigint skipped_, left_out_, wakings_;
 };
 

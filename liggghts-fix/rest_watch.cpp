@@ -6,21 +6,86 @@
 
 namespace clay {
 
-double RestPlaces::farthest(const double *x, const double *radius) const
+namespace {
+
+double length(const double a[3]) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
+
+}  // namespace
+
+void RestTrack::create()
 {
-  double most = 0;
-  const int n = size();
-  for (int i = 0; i < n; i++) {
-    const double dx = x[3 * i] - x_[3 * i], dy = x[3 * i + 1] - x_[3 * i + 1], dz = x[3 * i + 2] - x_[3 * i + 2];
-    most = std::max(most, (dx * dx + dy * dy + dz * dz) / (radius[i] * radius[i]));
-  }
-  return std::sqrt(most);
+  *this = RestTrack();
 }
+
+double RestTrack::moved2(const double *x) const
+{
+  double sum = 0;
+  for (int k = 0; k < 3; k++) sum += (x[k] - last[k]) * (x[k] - last[k]);
+  return sum;
+}
+
+void RestTrack::begin()
+{
+  for (int k = 0; k < 3; k++) {
+    begun[k] = last[k];
+    y[k] = ty[k] = 0;
+  }
+  yy = 0;
+}
+
+void RestTrack::see(const double *x, int n)
+{
+  for (int k = 0; k < 3; k++) {
+    const double way = x[k] - begun[k];
+    y[k] += way;
+    ty[k] += n * way;
+    yy += way * way;
+  }
+}
+
+void RestTrack::drift(int n, double way[3]) const
+{
+  // n + 1 places, of which the first is the beginning
+  const double m = n + 1, t = 0.5 * n * m, stt = t * (2 * n + 1) / 3 - t * t / m;
+  double explained = 0, scatter = yy;
+  for (int k = 0; k < 3; k++) {
+    way[k] = stt > 0 ? (ty[k] - t * y[k] / m) / stt : 0;
+    explained += way[k] * way[k] * stt;
+    scatter -= y[k] * y[k] / m;
+  }
+  if (n < 2) return;
+  const double error = std::sqrt(std::max(0., scatter - explained) / ((m - 2) * stt)), size = length(way);
+  const double part = size > 2 * error ? 1 - 2 * error / size : 0;
+  for (int k = 0; k < 3; k++) way[k] *= part;
+}
+
+double RestTrack::allowed(int n, double most) const
+{
+  double way[3];
+  drift(n, way);
+  const double speed = length(way), left = most - length(missed);
+  return left <= 0 ? 0 : speed > 0 ? left / speed : 1e300;
+}
+
+void RestTrack::charge(int n, double left_out)
+{
+  if (n < 1 || left_out <= 0) return;
+  double way[3];
+  drift(n, way);
+  for (int k = 0; k < 3; k++) missed[k] += left_out * way[k];
+}
+
+/* ---------------------------------------------------------------------- */
 
 // of this rest
 double RestWatch::here() const
 {
-  return computed_ > 0 ? std::fabs(mean_ - first_) / computed_ * left_out_ : 0;
+  return computed_ > 0 ? (mean_ - first_) / computed_ * left_out_ : 0;
+}
+
+double RestWatch::missed() const
+{
+  return std::fabs(missed_ + here());
 }
 
 void RestWatch::wake()
@@ -28,11 +93,10 @@ void RestWatch::wake()
   left_out_ += out_;
   out_ = 0;
   missed_ += here();
-  if (computed_ > 0) behind_ += gone_ * left_out_ / computed_;
-  gone_ = 0;
   quiet_ = 0;
   row_ = 1;
-  computed_ = left_out_ = 0;
+  computed_ = 0;
+  left_out_ = 0;
 }
 
 void RestWatch::restart(const RestLimits &limits)
@@ -54,9 +118,10 @@ int RestWatch::windows(const RestSight &sight, bool whole)
   computed_++;
   left_out_ += out_;
   out_ = 0;
-  if (still) gone_ = sight.gone;
   if (!still) {
+    const int row = row_;
     wake();
+    row_ = std::max(1, row / 4);
     return 0;
   }
   if (++quiet_ < limits_.quiet) return 0;
@@ -65,9 +130,8 @@ int RestWatch::windows(const RestSight &sight, bool whole)
   const double drift = std::fabs(mean_ - first_) / computed_, left = limits_.error * sight.height - missed();
   int n = row_;
   if (n * drift > left) n = left > 0 ? static_cast<int>(left / drift) : 0;
-  // n + left_out_ times a particle's way in a window
-  const double may = (limits_.behind - behind_) * computed_;
-  if ((n + left_out_) * gone_ > may) n = may > 0 ? std::max(0, static_cast<int>(may / gone_ - left_out_)) : 0;
+  const double may = sight.allowed - left_out_;
+  if (n > may) n = may > 0 ? static_cast<int>(may) : 0;
   out_ = n;
   return n;
 }

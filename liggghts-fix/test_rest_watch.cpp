@@ -1,11 +1,13 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "rest_watch.h"
 
 using clay::RestLimits;
-using clay::RestPlaces;
 using clay::RestSight;
+using clay::RestTrack;
 using clay::RestWatch;
 
 namespace {
@@ -21,16 +23,52 @@ RestSight still(double farthest = 1e-4, double mean = 0.5)
 
 }  // namespace
 
-TEST(RestPlaces, measuresTheLargestWayInRadii)
+/// Places of a particle that rolls by `way` in a window and rocks with that amplitude.
+RestTrack seen(int n, double way, double amplitude)
 {
-  const double before[] = {0, 0, 0, 1, 1, 1}, radius[] = {0.5, 0.1};
-  const double after[] = {0.03, 0.04, 0, 1, 1, 1.02};
-  RestPlaces p;
-  p.keep(before, 2);
-  EXPECT_EQ(p.size(), 2);
-  EXPECT_NEAR(p.farthest(after, radius), 0.2, 1e-12);
-  p.forget();
-  EXPECT_EQ(p.size(), 0);
+  RestTrack t;
+  t.create();
+  t.begin();
+  for (int i = 1; i <= n; i++) {
+    const double x[] = {i * way + amplitude * std::sin(2.1 * i * i), amplitude * std::cos(1.3 * i * i), 0};
+    t.see(x, i);
+  }
+  return t;
+}
+
+TEST(RestTrack, findsASteadyWay)
+{
+  double way[3];
+  seen(5, 0.01, 0).drift(5, way);
+  EXPECT_NEAR(way[0], 0.01, 1e-12);
+  EXPECT_NEAR(way[1], 0, 1e-12);
+  EXPECT_NEAR(seen(5, 0.01, 0).allowed(5, 0.5), 50, 1e-6);
+  seen(1, 0.01, 0).drift(1, way);
+  EXPECT_NEAR(way[0], 0.01, 1e-12);
+}
+
+TEST(RestTrack, rockingIsNoWay)
+{
+  double way[3];
+  seen(20, 0, 0.02).drift(20, way);
+  EXPECT_LT(std::hypot(way[0], way[1]), 3e-4);
+  EXPECT_GT(seen(20, 0, 0.02).allowed(20, 0.5), 1000);
+  // one that goes on while it rocks is not taken for one that rocks
+  seen(40, 0.01, 0.02).drift(40, way);
+  EXPECT_NEAR(way[0], 0.01, 2e-3);
+}
+
+TEST(RestTrack, addsUpWhatItMissed)
+{
+  RestTrack t = seen(4, 0.01, 0);
+  t.charge(4, 20);
+  EXPECT_NEAR(t.missed[0], 0.2, 1e-12);
+  t.begin();
+  const double x[] = {-0.01, 0, 0};
+  t.see(x, 1);
+  EXPECT_NEAR(t.allowed(1, 0.5), 30, 1e-6);
+  t.charge(1, 10);  // and back
+  EXPECT_NEAR(t.missed[0], 0.1, 1e-12);
 }
 
 TEST(RestWatch, leavesOutMoreAndMore)
@@ -137,10 +175,22 @@ TEST(RestWatch, aParticleThatRollsIsNotLeftBehind)
   long out = 0;
   for (int n = 1; n <= 1000; n++) {
     RestSight s = still(0.01);
-    // lists are built anew every now and then
-    s.gone = 0.01 * (n % 20);
-    out += w.windows(s, n % 20 != 0);
+    s.allowed = 50;  // 0.5 radii, at 0.01 in a window
+    out += w.windows(s, true);
   }
-  EXPECT_GT(out, 30);
-  EXPECT_LE(out, 51);  // 0.5 radii, at 0.01 in a window
+  EXPECT_EQ(out, 50);
+}
+
+TEST(RestWatch, aSingleMovementDoesNotBeginFromOne)
+{
+  RestLimits limits;
+  limits.quiet = 1;
+  RestWatch w;
+  w.restart(limits);
+  w.windows(still(), false);
+  for (int n = 0; n < 10; n++) w.windows(still(), true);
+  EXPECT_EQ(w.windows(still(2 * limits.move), true), 0);
+  EXPECT_EQ(w.windows(still(), true), limits.longest / 4);
+  w.wake();
+  EXPECT_EQ(w.windows(still(), true), 1);
 }

@@ -21,15 +21,6 @@ using namespace LAMMPS_NS;
 
 VerletClay::VerletClay(LAMMPS *lmp) : Verlet(lmp,0,NULL), rest_(NULL), fluid_(NULL) {}
 
-/* ---------------------------------------------------------------------- */
-
-void VerletClay::init()
-{
-  Verlet::init();
-  rest_ = dynamic_cast<FixRestBed*>(modify->find_fix_style("rest/bed",0));
-  fluid_ = dynamic_cast<FixCoupleFoam*>(modify->find_fix_style("couple/foam",0));
-}
-
 /* ----------------------------------------------------------------------
    window by window: computed ones by verlet, the others as the bed allows
 ------------------------------------------------------------------------- */
@@ -37,6 +28,9 @@ void VerletClay::init()
 void VerletClay::run(int n)
 {
   const bigint end = update->ntimestep + n;
+  // at each run: 'run pre no' after 'unfix' has no init
+  rest_ = dynamic_cast<FixRestBed*>(modify->find_fix_style("rest/bed",0));
+  fluid_ = dynamic_cast<FixCoupleFoam*>(modify->find_fix_style("couple/foam",0));
   if (!rest_ || !rest_->begin(n)) {
     Verlet::run(n);
     return;

@@ -15,7 +15,6 @@ namespace LAMMPS_NS {
 class VerletClay : public Verlet {
  public:
   VerletClay(class LAMMPS *);
-  void init();
   void run(int);
 
  private:

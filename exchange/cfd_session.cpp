@@ -42,7 +42,7 @@ struct CfdSession::Impl {
   std::vector<MPI_Request> headers, states, out;
   SharedParticles shared;
   int particles = 0;
-  double time = 0, interval = 0, reported = 0;
+  double time = 0, interval = 0, reported = 0, late = 0;
   bool last = false, open = false, heardGoodbye = false;
   std::array<double, 3> impulse{};
   Timing timing;
@@ -111,7 +111,7 @@ void CfdSession::Impl::unpack(Particles& list) {
   }
 }
 
-// Places in the DEM rank's list first, then field by field, then the reported figure
+// Places in the DEM rank's list first, then field by field, then what is reported
 void CfdSession::Impl::pack(const Particles& answers, const std::vector<char>& owned,
                             Peer& peer) {
   peer.answer.clear();
@@ -119,8 +119,9 @@ void CfdSession::Impl::pack(const Particles& answers, const std::vector<char>& o
   for (int i = 0; i < n; ++i)
     if (owned[static_cast<std::size_t>(peer.first + i)]) peer.answer.push_back(i);
   const std::size_t answered = peer.answer.size();
-  peer.answer.resize(answered * (1 + static_cast<std::size_t>(sends.width())) + 1);
-  peer.answer.back() = reported;
+  peer.answer.resize(answered * (1 + static_cast<std::size_t>(sends.width())) + wire::answerEnd);
+  *(peer.answer.end() - 2) = reported;
+  *(peer.answer.end() - 1) = late;
   double* to = peer.answer.data() + answered;
   for (unsigned k = 0; k < fieldCount; ++k) {
     const auto f = static_cast<Field>(k);
@@ -239,7 +240,10 @@ void CfdSession::answer(const Particles& answers, const std::vector<char>& owned
   s.timing.exchange += now() - start - (s.timing.waiting - idle);
 }
 
-void CfdSession::report(double momentumResidual) { impl_->reported = momentumResidual; }
+void CfdSession::report(double momentumResidual, bool late) {
+  impl_->reported = momentumResidual;
+  impl_->late = late;
+}
 
 void CfdSession::close() {
   auto& s = *impl_;

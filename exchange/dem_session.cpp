@@ -50,6 +50,7 @@ struct DemSession::Impl {
   std::vector<long> answeredIn;  // exchange in which a particle was answered
   const Particles* sent = nullptr;
   double lastTime = 0, sentAt = 0, reported = 0;
+  bool late = false;
   bool open = false, awaiting = false, arrived = false, runOver = false;
   Timing timing;
 
@@ -126,6 +127,7 @@ void DemSession::Impl::unpack(Particles& answer) {
   answer.resize(n);
   answeredIn.resize(static_cast<std::size_t>(n), -1);
   std::fill(answeredIn.begin(), answeredIn.end(), -1);
+  late = false;
   const std::size_t width = static_cast<std::size_t>(receives.width());
   for (std::size_t p = 0; p < peers.size(); ++p) {
     const auto& peer = peers[p];
@@ -133,8 +135,9 @@ void DemSession::Impl::unpack(Particles& answer) {
     if (particles.empty()) continue;
     int doubles = 0;
     PMPI_Get_count(&inStatus[peer.answerSlot], MPI_DOUBLE, &doubles);
-    const std::size_t answers = static_cast<std::size_t>(doubles - 1) / (1 + width);
-    reported = peer.answer[static_cast<std::size_t>(doubles - 1)];
+    const std::size_t answers = static_cast<std::size_t>(doubles - wire::answerEnd) / (1 + width);
+    reported = peer.answer[static_cast<std::size_t>(doubles - 2)];
+    late = late || peer.answer[static_cast<std::size_t>(doubles - 1)] != 0;
     const double* index = peer.answer.data();
     const double* from = index + answers;
     for (std::size_t a = 0; a < answers; ++a) {
@@ -171,6 +174,7 @@ DemSession::~DemSession() {
 }
 
 double DemSession::reported() const { return impl_->reported; }
+bool DemSession::late() const { return impl_->late; }
 const CfdTerms& DemSession::peer() const { return impl_->terms.cfd; }
 const FieldSet& DemSession::sends() const { return impl_->sends; }
 const FieldSet& DemSession::receives() const { return impl_->receives; }
@@ -211,7 +215,7 @@ void DemSession::send(const Particles& particles, double time, bool last,
     if (n == 0) continue;
     s.pack(particles, route, peer);
     s.post(peer.state.data(), peer.state.size(), world.peers()[p], wire::tagState);
-    peer.answer.resize(n * (1 + width) + 1);
+    peer.answer.resize(n * (1 + width) + wire::answerEnd);
     peer.answerSlot = s.in.size();
     s.in.emplace_back();
     PMPI_Irecv(peer.answer.data(), static_cast<int>(peer.answer.size()), MPI_DOUBLE,

@@ -66,6 +66,10 @@ class DemSession {
   /// rank; 0 before the first.
   double reported() const;
 
+  /// True when the last answer was given after the fluid of its interval was solved,
+  /// by what this rank has heard.
+  bool late() const;
+
   const Timing& timing() const;
 
  private:
@@ -115,9 +119,9 @@ class CfdSession {
   /// rank; only those owned here are sent.
   void answer(const Particles& answers, const std::vector<char>& owned);
 
-  /// A figure for the DEM half's progress line, the largest relative residual
-  /// of momentum; goes with every answer from now on.
-  void report(double momentumResidual);
+  /// For the DEM half, goes with every answer from now on: the largest relative
+  /// residual of momentum, and whether answers come after the fluid was solved.
+  void report(double momentumResidual, bool late);
 
   void close();
 

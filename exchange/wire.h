@@ -20,6 +20,9 @@ enum Tag : int {
   tagSaved          ///< this rank has saved its state after a farewell
 };
 
+/// Doubles at the end of an answer: the reported figure, and whether it came late.
+constexpr int answerEnd = 2;
+
 /// What a header announces.
 enum class Kind : int { state = 1, resume = 2, close = 3 };
 

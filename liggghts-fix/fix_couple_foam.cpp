@@ -33,7 +33,7 @@ using clay::Field;
 
 FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
-  interval_(0), dt_(0.), idle_(false), opened_(-1), pending_(false), check_limit_(true),
+  interval_(0), dt_(0.), idle_(false), opened_(-1), pending_(false), lag_(0), waited_(0), prompt_(true), check_limit_(true),
   warned_(false), exchanges_(0),
   bodies_(NULL), thermal_(NULL), fluid_(NULL), more_(NULL), movers_(0), listed_(-1),
   still_(false), still_steps_(0), last_time_(0.)
@@ -80,7 +80,7 @@ int FixCoupleFoam::whole_number(const char *text)
 void FixCoupleFoam::parse(int narg, char **arg)
 {
   std::string stats;
-  std::string law, drag = "sphereSum";
+  std::string law, drag = "sphereSum", lag = "0";
   double seconds = 1.0;
   bool watch = true;
 
@@ -92,6 +92,7 @@ void FixCoupleFoam::parse(int narg, char **arg)
     const std::string key = arg[iarg], value = arg[iarg+1];
     if (key == "every") interval_ = whole_number(arg[iarg+1]);
     else if (key == "stats") stats = value;
+    else if (key == "lag") lag = value;
     else if (key == "progress") seconds = force->numeric(FLERR,arg[iarg+1]);
     else if (key == "contact_limit") {
       if (value != "yes" && value != "no")
@@ -106,15 +107,32 @@ void FixCoupleFoam::parse(int narg, char **arg)
     else if (key == "shapeLaw") law = value;
     else
       error->all(FLERR,("Fix couple/foam: unknown keyword '" + key + "'; known are "
-                        "every, stats, progress, contact_limit, watch, clumpDrag, shapeLaw").c_str());
+                        "every, lag, stats, progress, contact_limit, watch, clumpDrag, shapeLaw").c_str());
     iarg += 2;
   }
   if (interval_ < 1)
     error->all(FLERR,"Fix couple/foam: 'every N' is missing; "
                      "N is the number of DEM steps between two exchanges");
+  parse_lag(lag);
   report_.reset(new CouplingReport(lmp,stats,seconds));
   if (watch) watch_.reset(new RunawayWatch(lmp));
   parse_clump_drag(drag,law);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::parse_lag(const std::string &text)
+{
+  if (text == "auto") {
+    lag_ = interval_/4;
+    return;
+  }
+  char *end = NULL;
+  const long value = strtol(text.c_str(),&end,10);
+  if (text.empty() || *end || value < 0 || value >= interval_)
+    error->all(FLERR,("Fix couple/foam: lag is '" + text + "'; auto or a whole number of DEM steps "
+                      "from 0 to " + std::to_string(interval_-1) + ", below every, is wanted").c_str());
+  lag_ = value;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -436,7 +454,7 @@ void FixCoupleFoam::pre_exchange()
 void FixCoupleFoam::post_force(int)
 {
   if (idle_) return;
-  if (pending_) take_answer();
+  if (pending_) look_for_answer();
   apply(false);
 }
 

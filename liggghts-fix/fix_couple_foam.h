@@ -79,6 +79,7 @@ class FixCoupleFoam : public Fix {
 
   int whole_number(const char *);
   void parse(int, char **);
+  void parse_lag(const std::string &);
   void parse_clump_drag(const std::string &, const std::string &);
   void check_interval();
   void check_order();
@@ -89,6 +90,7 @@ class FixCoupleFoam : public Fix {
   void open();
   void send(bool last);
   void take_answer();
+  void look_for_answer();
   void gather();
   void tell_clumps(int slot);
   void share_impulses();
@@ -107,6 +109,8 @@ class FixCoupleFoam : public Fix {
   bool idle_;                    // a run of no steps
   bigint opened_;                // last step of the run that was set up
   bool pending_;                 // an answer is still to come
+  int lag_, waited_;             // steps that may go on without it, and that did so
+  bool prompt_;                  // the last answer came late: wait for the next one
   bool check_limit_;             // refuse a step above the contact limit
   bool warned_;                  // of the contacts there are
   long exchanges_;

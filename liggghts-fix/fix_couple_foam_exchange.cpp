@@ -43,6 +43,7 @@ void FixCoupleFoam::send(bool last)
   last_time_ = update->get_cur_time();
   session_->send(sent_,last_time_,last,{{given_[0],given_[1],given_[2]}});
   pending_ = true;
+  waited_ = 0;
   report_->exchange(*session_,last);
   if (watch_) watch_->overlaps(report_->overlap(),report_->first(),report_->second());
 }
@@ -180,12 +181,29 @@ void FixCoupleFoam::check_finite()
     }
 }
 
+/* ----------------------------------------------------------------------
+   the first steps of an interval go on with the answer before, while the
+   CFD half maps; not when it solves the fluid before it answers
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::look_for_answer()
+{
+  if (prompt_ || waited_++ >= lag_) take_answer();
+  else session_->answered();   // helps the messages on their way
+}
+
 /* ---------------------------------------------------------------------- */
 
 void FixCoupleFoam::take_answer()
 {
   session_->receive(answer_);
   pending_ = false;
+  if (lag_ > 0) {
+    const int mine = session_->late();
+    int any = mine;
+    if (comm->nprocs > 1) MPI_Allreduce(&mine,&any,1,MPI_INT,MPI_MAX,world);
+    prompt_ = any;
+  }
 
   const bool loaded = answer_.fields().has(Field::force);
   const double *K = answer_[Field::dragCoefficient];

@@ -260,7 +260,8 @@ Foam::particleCoupling::particleCoupling
     time_(mesh_.time().value()),
     interval_(0),
     marched_(0),
-    pending_(false)
+    pending_(false),
+    late_(false)
 {
     const word transport
     (

@@ -363,7 +363,7 @@ void Foam::particleCoupling::answer()
         }
     }
 
-    session_->report(stats_.momentumResidual);
+    session_->report(stats_.momentumResidual, late_);
     session_->answer(answers_, owned);
     pending_ = false;
 }
@@ -439,10 +439,12 @@ bool Foam::particleCoupling::next()
         ledger_.begin(interval_);
         judgeInterval(interval_);
 
+        late_ = true;
         if (properties_.overlap())
         {
             if (ledger_.stiffness(history_.mapped(), interval_) <= stiffLimit_)
             {
+                late_ = false;
                 answer();
             }
             else if (stats_.stiffExchanges++ == 0)

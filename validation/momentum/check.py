@@ -22,6 +22,7 @@ RUNS = {
     "all": ["forces=pressureGradient+viscous+addedMass+saffmanMei+magnus+torque", "spin_y=100"],
     "light": ["forces=pressureGradient+addedMass", "density=50", "across_z=16"],
     "modelB": ["model=B", "forces=addedMass", "density=500"],
+    "lag": ["forces=pressureGradient+viscous", "answer_lag=7"],
     "first": ["forces=pressureGradient+addedMass", "overlap=no"],
 }
 SCENE = ["bottom=cyclic", "top=cyclic", "gravity=0", "speed_z=0.05", "speed_x=0.03", "across_x=6",

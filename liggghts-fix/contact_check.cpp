@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -92,6 +93,18 @@ clay::ContactCoefficients ContactModel::between(int i, int j, double mass, doubl
 
 /* ---------------------------------------------------------------------- */
 
+int LAMMPS_NS::moving_groups(LAMMPS *lmp)
+{
+  int groups = 0;
+  for (int i = 0; i < lmp->modify->nfix; i++) {
+    const Fix *fix = lmp->modify->fix[i];
+    if (!strncmp(fix->style,"nve",3) || !strncmp(fix->style,"multisphere",11)) groups |= fix->groupbit;
+  }
+  return groups;
+}
+
+/* ---------------------------------------------------------------------- */
+
 double LAMMPS_NS::resting_step_limit(LAMMPS *lmp, std::string *which)
 {
   double limit = infinity;
@@ -121,12 +134,13 @@ double LAMMPS_NS::resting_step_limit(LAMMPS *lmp, std::string *which)
     }
   }
 
-  // of each type the lightest free sphere: all else equal its limit is the lowest
+  // of each type the lightest free sphere that moves: all else equal its limit is the lowest
+  const int movers = moving_groups(lmp);
   const Atom &atom = *lmp->atom;
   FixMultisphere *ms = static_cast<FixMultisphere *>(lmp->modify->find_fix_style("multisphere", 0));
   std::vector<double> mass(atom.ntypes + 1, infinity), size(atom.ntypes + 1, infinity);
   for (int i = 0; i < atom.nlocal; i++) {
-    if (ms && ms->belongs_to(i) >= 0) continue;
+    if ((ms && ms->belongs_to(i) >= 0) || !(atom.mask[i] & movers)) continue;
     mass[atom.type[i]] = std::min(mass[atom.type[i]], atom.rmass[i]);
     size[atom.type[i]] = std::min(size[atom.type[i]], atom.radius[i]);
   }

@@ -35,6 +35,9 @@ class ContactModel {
 /// The script's fixes wall/gran of primitive shape.
 std::vector<FixWallGran *> primitive_walls(LAMMPS *lmp);
 
+/// Group bits of the particles that some fix moves.
+int moving_groups(LAMMPS *lmp);
+
 /// Largest stable step [s] for a clump of any clay template, or a free sphere
 /// there is, that lies in the foot of a column with the like of itself on top;
 /// infinite without particles or with another contact model. `which` says what

@@ -9,6 +9,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "contact_check.h"
 #include "domain.h"
 #include "error.h"
 #include "fix.h"
@@ -63,7 +64,7 @@ void CouplingReport::start()
 
 /* ----------------------------------------------------------------------
    largest overlap of two spheres of different bodies, over the smaller
-   one's diameter; this rank's pairs only
+   one's diameter; this rank's pairs only, not of two that no fix moves
 ------------------------------------------------------------------------- */
 
 double CouplingReport::max_overlap()
@@ -73,6 +74,7 @@ double CouplingReport::max_overlap()
   const NeighList *list = gran->list;
   double **x = atom->x;
   const double *radius = atom->radius;
+  const int *mask = atom->mask, movers = moving_groups(lmp);
 
   double worst = 0.;
   for (int ii = 0; ii < list->inum; ii++) {
@@ -82,7 +84,7 @@ double CouplingReport::max_overlap()
       const int j = neighbours[jj] & NEIGHMASK;
       const double dx = x[i][0]-x[j][0], dy = x[i][1]-x[j][1], dz = x[i][2]-x[j][2];
       const double sum = radius[i] + radius[j], r2 = dx*dx + dy*dy + dz*dz;
-      if (r2 >= sum*sum) continue;
+      if (r2 >= sum*sum || !((mask[i] | mask[j]) & movers)) continue;
       const double overlap = 0.5*(sum - sqrt(r2))/std::min(radius[i],radius[j]);
       if (overlap <= worst) continue;
       worst = overlap;

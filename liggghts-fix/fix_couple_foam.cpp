@@ -36,7 +36,7 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   interval_(0), dt_(0.), idle_(false), opened_(-1), pending_(false), lag_(0), waited_(0), prompt_(true), check_limit_(true),
   warned_(false), exchanges_(0),
   bodies_(NULL), thermal_(NULL), fluid_(NULL), more_(NULL), movers_(0), listed_(-1),
-  still_(false), still_steps_(0), last_time_(0.)
+  still_(false), unseen_(false), still_steps_(0), last_time_(0.)
 {
   parse(narg,arg);
   given_[0] = given_[1] = given_[2] = 0.;
@@ -193,9 +193,7 @@ void FixCoupleFoam::init()
   if (clumps_) clumps_->init(bodies_);
   thermal_ = dynamic_cast<FixBrownian*>(modify->find_fix_style("brownian",0));
 
-  movers_ = 0;
-  for (int i = 0; i < modify->nfix; i++)
-    if (!strncmp(modify->fix[i]->style,"nve",3)) movers_ |= modify->fix[i]->groupbit;
+  movers_ = moving_groups(lmp);
 
   check_order();
 }

@@ -123,6 +123,7 @@ class FixCoupleFoam : public Fix {
   std::vector<int> free_;        // spheres in no body
   int listed_;                   // local spheres when they were listed; -1 when out of date
   bool still_;                   // particles keep still
+  bool unseen_;                  // an answer has come that rest_step() has not compared
   int still_steps_;              // for so many steps since the last exchange
   std::vector<double> still_force_;  // of the fluid when they came to rest [N]
   double given_[3];              // impulse given to this rank's particles [N s]

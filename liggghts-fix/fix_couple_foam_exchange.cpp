@@ -198,6 +198,7 @@ void FixCoupleFoam::take_answer()
 {
   session_->receive(answer_);
   pending_ = false;
+  unseen_ = true;
   if (lag_ > 0) {
     const int mine = session_->late();
     int any = mine;

@@ -37,8 +37,10 @@ void FixCoupleFoam::rest(bool still)
 {
   if (still == still_) return;
   if (still) {
+    if (pending_) take_answer();
     if (listed_ != atom->nlocal) list_free();
     still_forces(still_force_);
+    unseen_ = false;
   } else book_rest();
   still_ = still;
 }
@@ -68,8 +70,9 @@ void FixCoupleFoam::book_rest()
 
 bool FixCoupleFoam::rest_step(double tolerance)
 {
-  if (pending_) {
-    take_answer();
+  if (pending_) take_answer();
+  if (unseen_) {
+    unseen_ = false;
     double g[3] = {0.,0.,0.};
     FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
     if (gravity) gravity->get_gravity(g);

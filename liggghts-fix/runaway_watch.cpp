@@ -93,9 +93,10 @@ void RunawayWatch::overlaps(double overlap, int tag1, int tag2)
              tag1,tag2,overlap,update->ntimestep,update->get_cur_time(),most_overlap);
     end(text);
   }
+  const int movers = moving_groups(lmp);
   for (FixWallGran *w : primitive_walls(lmp))
     for (int i = 0; i < atom->nlocal; i++) {
-      if (!(atom->mask[i] & w->groupbit)) continue;
+      if (!(atom->mask[i] & w->groupbit) || !(atom->mask[i] & movers)) continue;
       double to_wall[3];
       const double gap = w->primitiveWall()->resolveContact(atom->x[i],atom->radius[i],to_wall);
       if (gap >= 0.) continue;

@@ -152,6 +152,11 @@ TEST(ContactCheck, sphereAtRest)
   host("set type 2 diameter 1e-3\nset type 2 density 2600\nrun 0\n");
   EXPECT_LT(LAMMPS_NS::resting_step_limit(host.lmp.get(), &which), 0.7 * limit);
   EXPECT_EQ(which, "a sphere of type 2");
+
+  // what no fix moves has no limit
+  host("unfix nve\ngroup right type 2\nfix nve left nve/sphere\nrun 0\n");
+  EXPECT_NEAR(LAMMPS_NS::resting_step_limit(host.lmp.get(), &which), limit, 1e-12);
+  EXPECT_EQ(which, "a sphere of type 1");
 }
 
 TEST(ContactCheck, chargesAgainstStiffness)

@@ -114,3 +114,17 @@ TEST(RunawayWatch, aWallHoldsItsGroupAlone)
   watch.overlaps(0, 0, 0);
   EXPECT_EQ(watch.wall_overlap(), 0);
 }
+
+TEST(RunawayWatch, leavesSpheresAloneThatNothingMoves)
+{
+  Host host(MPI_COMM_SELF);
+  place(host);
+  host.lmp->atom->x[0][2] = -0.009;  // half of it in the floor
+  Throwing moved(host.lmp.get());
+  moved.start();
+  expect(said([&]() { moved.overlaps(0, 0, 0); }), "into the wall");
+  host("unfix nve\n");
+  Throwing held(host.lmp.get());
+  held.start();
+  EXPECT_EQ(said([&]() { held.overlaps(0, 0, 0); }), "");
+}

@@ -234,6 +234,26 @@ Foam::label Foam::cellGeometry::find
 }
 
 
+void Foam::cellGeometry::nearPlanes
+(
+    const label celli,
+    const point& x,
+    const scalar r,
+    DynamicList<nearPlane>& planes
+) const
+{
+    for (label k = start_[celli]; k < start_[celli + 1]; ++k)
+    {
+        const plane& p = planes_[k];
+        const scalar front = (x - p.centre) & p.normal;
+        if (front > -r)
+        {
+            planes.append(nearPlane{p.normal, front, p.across});
+        }
+    }
+}
+
+
 void Foam::cellGeometry::near
 (
     const point& x,

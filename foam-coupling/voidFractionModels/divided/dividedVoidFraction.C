@@ -1,7 +1,6 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "dividedVoidFraction.H"
-#include "cellGeometry.H"
 #include "addToRunTimeSelectionTable.H"
 #include "mathematicalConstants.H"
 
@@ -89,6 +88,73 @@ Foam::pointField Foam::voidFractionModels::divided::spread(const label n)
 }
 
 
+Foam::label Foam::voidFractionModels::divided::meet
+(
+    const cellGeometry& geometry,
+    const label celli,
+    const point& x,
+    const scalar R
+) const
+{
+    forAll(met_, m)
+    {
+        if (met_[m].cell == celli)
+        {
+            return m;
+        }
+    }
+
+    const label begin = planes_.size();
+    geometry.nearPlanes(celli, x, reach_*R, planes_);
+    met_.append(met{celli, begin, planes_.size(), -1});
+
+    return met_.size() - 1;
+}
+
+
+Foam::label Foam::voidFractionModels::divided::walk
+(
+    const cellGeometry& geometry,
+    const point& unit,
+    const point& x,
+    const scalar R,
+    label from
+) const
+{
+    for (label step = 0; step < 30; ++step)
+    {
+        const met& here = met_[from];
+        scalar most = 1e-12*R;
+        label across = -1;
+        bool out = false;
+
+        for (label k = here.begin; k < here.end; ++k)
+        {
+            const cellGeometry::nearPlane& p = planes_[k];
+            const scalar front = p.front + R*(unit & p.normal);
+            if (front > most)
+            {
+                most = front;
+                across = p.across;
+                out = true;
+            }
+        }
+
+        if (!out)
+        {
+            return from;
+        }
+        if (across < 0)
+        {
+            break;
+        }
+        from = meet(geometry, across, x, R);
+    }
+
+    return -1;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::voidFractionModels::divided::divided
@@ -147,29 +213,37 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
             }
         }
 
-        label hint = home;
+        const scalar R = p.radius[i];
+        planes_.clear();
+        met_.clear();
+        if (home >= 0)
+        {
+            met_[meet(geometry, home, x, R)].entry = start;
+        }
+
         for (const point& unit : points_)
         {
-            scalar away;
-            const label celli =
-                geometry.find(x + p.radius[i]*unit, 0, hint, away);
-            if (celli < 0)
+            label m = met_.empty() ? -1 : walk(geometry, unit, x, R, 0);
+            if (m < 0)
             {
-                continue;
+                // behind the boundary, around a corner or from nowhere
+                scalar away;
+                const label from = met_.empty() ? -1 : met_[0].cell;
+                const label celli = geometry.find(x + R*unit, 0, from, away);
+                if (celli < 0)
+                {
+                    continue;
+                }
+                m = meet(geometry, celli, x, R);
             }
-            hint = celli;
 
-            label k = start;
-            while (k < p.weight.size() && p.cellIndex[k] != celli)
+            if (met_[m].entry < 0)
             {
-                ++k;
-            }
-            if (k == p.weight.size())
-            {
-                p.cellIndex.append(celli);
+                met_[m].entry = p.weight.size();
+                p.cellIndex.append(met_[m].cell);
                 p.weight.append(0);
             }
-            p.weight[k] += share;
+            p.weight[met_[m].entry] += share;
         }
         p.offset[i + 1] = p.weight.size();
     }

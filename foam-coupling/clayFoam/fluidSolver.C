@@ -17,6 +17,31 @@ static scalar maxCo(const dictionary& control)
     return control.lookupOrDefault<scalar>("maxCo", 0.5);
 }
 
+//- A field of no conditions, but neighbours' values
+template<class Type>
+static tmp<GeometricField<Type, fvPatchField, volMesh>> scratch
+(
+    const fvMesh& mesh,
+    const word& name,
+    const dimensionSet& dims
+)
+{
+    return tmp<GeometricField<Type, fvPatchField, volMesh>>::New
+    (
+        IOobject
+        (
+            name,
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh,
+        dimensioned<Type>(dims, Zero)
+    );
+}
+
 } // End namespace Foam
 
 
@@ -24,10 +49,30 @@ static scalar maxCo(const dictionary& control)
 
 Foam::scalar Foam::fluidSolver::courantRate() const
 {
-    const scalarField sumPhi(fvc::surfaceSum(mag(phi_))().primitiveField());
-    return mesh_.nCells() || Pstream::parRun()
-        ? 0.5*gMax(scalarField(sumPhi/mesh_.V()))
-        : 0;
+    const labelUList& own = mesh_.owner();
+    const labelUList& nei = mesh_.neighbour();
+    scalarField sum(mesh_.nCells(), Zero);
+    forAll(nei, f)
+    {
+        const scalar size = mag(phi_[f]);
+        sum[own[f]] += size;
+        sum[nei[f]] += size;
+    }
+    faces_.patches([&](const label patchi, const fvPatch& patch)
+    {
+        const labelUList& inside = patch.faceCells();
+        forAll(inside, i)
+        {
+            sum[inside[i]] += mag(phi_.boundaryField()[patchi][i]);
+        }
+    });
+
+    scalar largest = 0;
+    forAll(sum, celli)
+    {
+        largest = max(largest, sum[celli]/mesh_.V()[celli]);
+    }
+    return 0.5*returnReduce(largest, maxOp<scalar>());
 }
 
 
@@ -113,7 +158,22 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
     nPhi_("nPhi", phi_),
     pRefCell_(0),
     pRefValue_(0),
-    fresh_(true)
+    fresh_(true),
+    faces_(mesh),
+    sourceFaces_(mesh.nFaces(), Zero),
+    dragFaces_(mesh.nFaces(), Zero),
+    nFaces_(mesh.nFaces(), 1),
+    nPhiFaces_(mesh.nFaces(), Zero),
+    yieldFaces_(mesh.nFaces(), 1),
+    rDFaces_(mesh.nFaces(), 1),
+    nrDFaces_(mesh.nFaces(), 1),
+    inertiaFaces_(mesh.nFaces(), Zero),
+    gradP_(scratch<vector>(mesh, "cellGradP", dimAcceleration)),
+    scratch_(scratch<scalar>(mesh, "scratch", dimless)),
+    stress_(scratch<scalar>(mesh, "stress", dimViscosity)),
+    HbyA_(scratch<vector>(mesh, "HbyA", dimVelocity)),
+    gradp_(scratch<vector>(mesh, "pressureGrad", dimAcceleration)),
+    gradU_(scratch<tensor>(mesh, "velocityGrad", dimless/dimTime))
 {
     const word ddtScheme(mesh_.ddtScheme("ddt(U)"));
     if (ddtScheme != "Euler")

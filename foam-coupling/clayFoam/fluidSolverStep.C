@@ -4,289 +4,143 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::surfaceScalarField Foam::fluidSolver::faceSource
-(
-    const volVectorField& source
-) const
+bool Foam::fluidSolver::wall(const label patchi) const
 {
-    return surfaceScalarField
-    (
-        "faceSource",
-        fvc::interpolate(source, "interpolate(HbyA)") & mesh_.Sf()
-    );
+    const fvPatchScalarField& pp = p_.boundaryField()[patchi];
+    return !pp.fixesValue() && !pp.coupled();
 }
 
 
-Foam::tmp<Foam::volVectorField> Foam::fluidSolver::remainder
-(
-    const volVectorField& source,
-    const surfaceScalarField& faceSource
-) const
+void Foam::fluidSolver::prepareFaces(const particleCoupling& coupling)
 {
-    tmp<volVectorField> tr
-    (
-        new volVectorField
-        (
-            "remainder",
-            source - fvc::reconstruct(faceSource)
-        )
-    );
-    volVectorField& r = tr.ref();
+    faces_.take(nPhi_, nPhiFaces_);
+    faces_.flux(coupling.source(), "interpolate(HbyA)", sourceFaces_);
+    faces_.interpolate(coupling.n(), "interpolate(voidfraction)", nFaces_);
 
-    const vector missing(gSum(r.primitiveField()*mesh_.V()));
-    const scalarField size(mag(source.primitiveField()));
-    const scalar total = gSum(size*mesh_.V());
-
-    if (total > VSMALL)
+    const scalarField& Sp = coupling.Sp().primitiveField();
+    const scalarField& n = coupling.n().primitiveField();
+    scalarField& drag = scratch_.primitiveFieldRef();
+    forAll(drag, celli)
     {
-        r.primitiveFieldRef() = (size/total)*missing;
+        drag[celli] = Sp[celli]/n[celli];
     }
-    else
+    forAll(scratch_.boundaryField(), patchi)
     {
-        r.primitiveFieldRef() = Zero;
+        scratch_.boundaryFieldRef()[patchi] ==
+            coupling.Sp().boundaryField()[patchi]
+           /coupling.n().boundaryField()[patchi];
     }
-    r.correctBoundaryConditions();
-
-    return tr;
-}
-
-
-void Foam::fluidSolver::onWalls
-(
-    surfaceScalarField& field,
-    const volVectorField& source
-) const
-{
-    forAll(p_.boundaryField(), patchi)
+    faces_.interpolate(scratch_, "interpolate(HbyA)", dragFaces_);
+    faces_.patches([&](const label patchi, const fvPatch& patch)
     {
-        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
-        if (!pp.fixesValue() && !pp.coupled())
+        if (wall(patchi))
         {
-            field.boundaryFieldRef()[patchi] ==
-                (
-                    source.boundaryField()[patchi].patchInternalField()
-                  & pp.patch().Sf()
-                );
+            SubField<scalar>(dragFaces_, patch.size(), patch.start()) = 0;
         }
-    }
+    });
 }
 
 
-void Foam::fluidSolver::offWalls(surfaceScalarField& field) const
-{
-    forAll(p_.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
-        if (!pp.fixesValue() && !pp.coupled())
-        {
-            field.boundaryFieldRef()[patchi] == 0;
-        }
-    }
-}
-
-
-Foam::surfaceScalarField Foam::fluidSolver::faceDrag
-(
-    const particleCoupling& coupling
-) const
-{
-    surfaceScalarField drag
-    (
-        "faceDrag",
-        fvc::interpolate
-        (
-            volScalarField(coupling.Sp()/coupling.n()),
-            "interpolate(HbyA)"
-        )
-    );
-    offWalls(drag);
-    return drag;
-}
-
-
-Foam::fluidSolver::balance Foam::fluidSolver::balanced
+void Foam::fluidSolver::balanced
 (
     const particleCoupling& coupling,
-    const surfaceScalarField& faceSource,
-    const surfaceScalarField& faceDrag,
-    surfaceScalarField& faceGradP
-) const
-{
-    const volVectorField through("through", fvc::reconstruct(nPhi_));
-
-    volVectorField net
-    (
-        "net",
-        coupling.source() - (coupling.Sp()/coupling.n())*through
-    );
-    surfaceScalarField onFaces("netFaces", faceSource - faceDrag*nPhi_);
-    onWalls(onFaces, net);
-    onWalls(faceGradP, net);
-
-    volVectorField residual
-    (
-        "residual",
-        fvc::reconstruct(onFaces - faceGradP)
-      + remainder(net, onFaces)
-    );
-
-    return balance
-    {
-        tmp<volVectorField>
-        (
-            new volVectorField
-            (
-                "force",
-                residual + (coupling.Sp()/coupling.n())*through
-            )
-        ),
-        tmp<volVectorField>(new volVectorField("gradP", net - residual))
-    };
-}
-
-
-Foam::tmp<Foam::surfaceScalarField> Foam::fluidSolver::faceInertia
-(
-    const particleCoupling& coupling,
-    const volScalarField& rAU
-) const
-{
-    const volScalarField inertia
-    (
-        "inertia",
-        rAU*coupling.nOld()/runTime_.deltaT()
-    );
-
-    tmp<surfaceScalarField> tphi
-    (
-        fvc::interpolate(inertia, "interpolate(HbyA)")*phi_.oldTime()
-      - fvc::flux(inertia*U_.oldTime())
-    );
-
-    // at walls and inlets the flux is that of U; at an outlet its difference
-    // from U's would keep the last cells' U as it is
-    surfaceScalarField::Boundary& faces = tphi.ref().boundaryFieldRef();
-    forAll(faces, patchi)
-    {
-        if (!faces[patchi].coupled())
-        {
-            faces[patchi] == 0;
-        }
-    }
-
-    return tphi;
-}
-
-
-Foam::tmp<Foam::fvVectorMatrix> Foam::fluidSolver::momentum
-(
-    const particleCoupling& coupling,
-    const volScalarField& ddtN,
-    fv::options& fvOptions
+    const scalarField& gradPFaces
 )
 {
-    const volScalarField stress
+    const scalarField& Sp = coupling.Sp().primitiveField();
+    const scalarField& n = coupling.n().primitiveField();
+    const vectorField& F = coupling.source().primitiveField();
+    const scalarField& V = mesh_.V();
+
+    vectorField through, residual, carried;
+    faces_.reconstruct(nPhiFaces_, through);
+
+    vectorField net(mesh_.nCells());
+    forAll(net, celli)
+    {
+        net[celli] = F[celli] - (Sp[celli]/n[celli])*through[celli];
+    }
+
+    scalarField onFaces(mesh_.nFaces(), Zero), left(mesh_.nFaces(), Zero);
+    forAll(onFaces, f)
+    {
+        onFaces[f] = sourceFaces_[f] - dragFaces_[f]*nPhiFaces_[f];
+        left[f] = onFaces[f] - gradPFaces[f];
+    }
+    faces_.patches([&](const label patchi, const fvPatch& patch)
+    {
+        const labelUList& inside = patch.faceCells();
+        if (wall(patchi))
+        {
+            forAll(inside, i)
+            {
+                const label f = patch.start() + i;
+                onFaces[f] = net[inside[i]] & faces_.Sf()[f];
+                left[f] = 0;
+            }
+        }
+    });
+    faces_.reconstruct(left, onFaces, residual, carried);
+
+    // what the faces do not carry of the source is shared among the cells by
+    // the size of their source
+    FixedList<scalar, 4> sums(Zero);
+    forAll(net, celli)
+    {
+        const vector missing(V[celli]*(net[celli] - carried[celli]));
+        sums[0] += missing.x();
+        sums[1] += missing.y();
+        sums[2] += missing.z();
+        sums[3] += V[celli]*mag(net[celli]);
+    }
+    reduce
     (
-        "stress",
-        coupling.stressFraction()*turbulence_->nuEff()
+        sums,
+        [](const FixedList<scalar, 4>& a, const FixedList<scalar, 4>& b)
+        {
+            return FixedList<scalar, 4>
+            {
+                a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]
+            };
+        }
+    );
+    const vector share
+    (
+        sums[3] > VSMALL
+      ? vector(sums[0], sums[1], sums[2])/sums[3]
+      : vector::zero
     );
 
-    // with ddtN = (n - nOld)/dt it is (n U - nOld UOld)/dt + div(n phi U): n U
-    // is conserved although nPhi is that of the step before
-    tmp<fvVectorMatrix> tUEqn
-    (
-        coupling.nOld()()*fvm::ddt(U_)
-      + fvm::Sp(ddtN, U_)
-      + fvm::div(nPhi_, U_, "div(phi,U)")
-      - fvm::laplacian(stress, U_, "laplacian(nuEff,U)")
-      - fvc::div
-        (
-            stress*dev2(T(fvc::grad(U_))),
-            "div((nuEff*dev2(T(grad(U)))))"
-        )
-      + fvm::Sp(coupling.Sp(), U_)
-     ==
-        fvOptions(U_)
-    );
-
-    tUEqn.ref().relax();
-    fvOptions.constrain(tUEqn.ref());
-
-    return tUEqn;
+    force_.setSize(mesh_.nCells());
+    vectorField& gradP = gradP_.primitiveFieldRef();
+    forAll(net, celli)
+    {
+        residual[celli] += mag(net[celli])*share;
+        force_[celli] =
+            residual[celli] + (Sp[celli]/n[celli])*through[celli];
+        gradP[celli] = net[celli] - residual[celli];
+    }
 }
 
 
-void Foam::fluidSolver::correctPressure
+void Foam::fluidSolver::predict
 (
-    particleCoupling& coupling,
-    const volScalarField& ddtN,
-    const fvVectorMatrix& UEqn,
-    const surfaceScalarField& faceSource,
-    const surfaceScalarField& faceDrag
+    const particleCoupling& coupling,
+    fvVectorMatrix& UEqn
 )
 {
-    // without the drag, which acts on the faces
-    const volScalarField A("A", UEqn.A());
-    const volScalarField rAU("rAU", 1.0/(A - coupling.Sp()));
-    const surfaceScalarField rAUf("rAUf", fvc::interpolate(rAU));
-    const surfaceScalarField nf
-    (
-        "nf",
-        fvc::interpolate(coupling.n(), "interpolate(voidfraction)")
-    );
-    const surfaceScalarField yields("yields", 1/(1 + rAUf*faceDrag*nf));
-    const surfaceScalarField rDf("rDf", rAUf*yields);
-    const surfaceScalarField nrDf("nrDf", nf*rDf);
+    scalarField slope;
+    faces_.take(fvc::snGrad(p_)(), slope);
+    slope *= faces_.magSf();
+    balanced(coupling, slope);
 
-    const volVectorField H(UEqn.H());
-    const volVectorField HbyA(constrainHbyA(rAU*H, U_, p_));
-
-    surfaceScalarField free(faceSource);
-    offWalls(free);
-
-    surfaceScalarField phiHbyA
-    (
-        "phiHbyA",
-        yields*(fvc::flux(HbyA) + faceInertia(coupling, rAU)) + rDf*free
-    );
-    surfaceScalarField nPhiHbyA("nPhiHbyA", nf*phiHbyA);
-
-    if (p_.needReference())
+    const vectorField source(UEqn.source());
+    forAll(source, celli)
     {
-        adjustPhi(nPhiHbyA, U_, p_);
+        UEqn.source()[celli] += mesh_.V()[celli]*force_[celli];
     }
-
-    constrainPressure(p_, U_, phiHbyA, rDf);
-
-    surfaceScalarField faceGradP("faceGradP", faceSource);
-
-    while (pimple_.correctNonOrthogonal())
-    {
-        fvScalarMatrix pEqn
-        (
-            fvm::laplacian(nrDf, p_, "laplacian((1|A(U)),p)")
-         == fvc::div(nPhiHbyA) + ddtN
-        );
-
-        pEqn.setReference(pRefCell_, pRefValue_);
-        pEqn.solve(mesh_.solver(p_.select(pimple_.finalInnerIter())));
-
-        if (pimple_.finalNonOrthogonalIter())
-        {
-            const surfaceScalarField flux(pEqn.flux());
-            nPhi_ = nPhiHbyA - flux;
-            phi_ = nPhi_/nf;
-            faceGradP = flux/nrDf;
-        }
-    }
-
-    p_.relax();
-
-    const balance b(balanced(coupling, faceSource, faceDrag, faceGradP));
-    U_ = (H + b.force())/A;
-    U_.correctBoundaryConditions();
-
-    coupling.setPressureGradient(b.gradP());
+    UEqn.solve();
+    UEqn.source() = source;
 }
 
 
@@ -294,39 +148,34 @@ void Foam::fluidSolver::step(particleCoupling& coupling)
 {
     fv::options& fvOptions = fv::options::New(mesh_);
 
-    const surfaceScalarField sources(faceSource(coupling.source()));
-    const surfaceScalarField drag(faceDrag(coupling));
+    prepareFaces(coupling);
 
     // a closed domain's n can not change as a whole
-    volScalarField ddtN("ddtN", coupling.ddtN());
+    scalarField ddtN(coupling.ddtN().primitiveField());
     if (p_.needReference())
     {
-        ddtN.primitiveFieldRef() -=
-            gSum(ddtN.primitiveField()*mesh_.V())/gSum(mesh_.V());
+        ddtN -= gSum(ddtN*mesh_.V())/gSum(mesh_.V());
     }
 
     while (pimple_.loop())
     {
-        const tmp<fvVectorMatrix> tUEqn(momentum(coupling, ddtN, fvOptions));
-        const fvVectorMatrix& UEqn = tUEqn();
+        tmp<fvVectorMatrix> tUEqn(momentum(coupling, ddtN, fvOptions));
+        fvVectorMatrix& UEqn = tUEqn.ref();
 
         if (pimple_.momentumPredictor())
         {
-            surfaceScalarField faceGradP(fvc::snGrad(p_)*mesh_.magSf());
-
-            solve
-            (
-                UEqn == balanced(coupling, sources, drag, faceGradP).force()
-            );
+            predict(coupling, UEqn);
             fvOptions.correct(U_);
         }
 
+        prepareCorrectors(coupling, UEqn);
         while (pimple_.correct())
         {
-            correctPressure(coupling, ddtN, UEqn, sources, drag);
+            correctPressure(coupling, ddtN, UEqn);
             coupling.checkFields();
             fvOptions.correct(U_);
         }
+        coupling.setPressureGradient(gradP_);
 
         if (pimple_.turbCorr())
         {
@@ -335,3 +184,6 @@ void Foam::fluidSolver::step(particleCoupling& coupling)
         }
     }
 }
+
+
+// ************************************************************************* //

@@ -1,0 +1,302 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fluidSolver.H"
+
+#include "fixedFluxExtrapolatedPressureFvPatchScalarField.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fluidSolver::prepareCorrectors
+(
+    const particleCoupling& coupling,
+    const fvVectorMatrix& UEqn
+)
+{
+    // without the drag, which acts on the faces
+    const scalarField& Sp = coupling.Sp().primitiveField();
+    const scalarField& nOld = coupling.nOld().primitiveField();
+    A_ = UEqn.A()().primitiveField();
+    rAU_.setSize(A_.size());
+    inertia_.setSize(A_.size());
+    forAll(A_, celli)
+    {
+        rAU_[celli] = 1/(A_[celli] - Sp[celli]);
+        inertia_[celli] =
+            rAU_[celli]*nOld[celli]/runTime_.deltaTValue();
+    }
+
+    const auto cells = [&](const scalarField& values) -> const volScalarField&
+    {
+        scratch_.primitiveFieldRef() = values;
+        scratch_.correctBoundaryConditions();
+        faces_.patches([&](const label patchi, const fvPatch& patch)
+        {
+            if (!patch.coupled())
+            {
+                patch.patchInternalField
+                (
+                    values,
+                    scratch_.boundaryFieldRef()[patchi]
+                );
+            }
+        });
+        return scratch_;
+    };
+
+    // phi of the step before, instead of its cells' velocity
+    faces_.interpolate(cells(inertia_), "interpolate(HbyA)", inertiaFaces_);
+    scalarField old;
+    faces_.take(phi_.oldTime(), old);
+    inertiaFaces_ *= old;
+
+    // at walls and inlets the flux is that of U; at an outlet its difference
+    // from U's would keep the last cells' U as it is
+    faces_.patches([&](const label, const fvPatch& patch)
+    {
+        if (!patch.coupled())
+        {
+            SubField<scalar>(inertiaFaces_, patch.size(), patch.start()) = 0;
+        }
+    });
+
+    faces_.interpolate(cells(rAU_), "interpolate(rAU)", rDFaces_);
+    yieldFaces_.setSize(mesh_.nFaces());
+    nrDFaces_.setSize(mesh_.nFaces());
+    forAll(rDFaces_, f)
+    {
+        yieldFaces_[f] = 1/(1 + rDFaces_[f]*dragFaces_[f]*nFaces_[f]);
+        rDFaces_[f] *= yieldFaces_[f];
+        nrDFaces_[f] = nFaces_[f]*rDFaces_[f];
+    }
+}
+
+
+void Foam::fluidSolver::freeFlux
+(
+    const fvVectorMatrix& UEqn,
+    vectorField& H,
+    scalarField& flux
+)
+{
+    H = UEqn.H()().primitiveField();
+
+    const vectorField& UOld = U_.oldTime().primitiveField();
+    vectorField& cells = HbyA_.primitiveFieldRef();
+    forAll(cells, celli)
+    {
+        cells[celli] = rAU_[celli]*H[celli] - inertia_[celli]*UOld[celli];
+    }
+    HbyA_.correctBoundaryConditions();
+    faces_.patches([&](const label patchi, const fvPatch& patch)
+    {
+        const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+        if (patch.coupled())
+        {
+            return;
+        }
+        fvPatchVectorField& here = HbyA_.boundaryFieldRef()[patchi];
+        const labelUList& inside = patch.faceCells();
+        const bool stated =
+            !Up.assignable()
+         && !isA<fixedFluxExtrapolatedPressureFvPatchScalarField>
+            (
+                p_.boundaryField()[patchi]
+            );
+        forAll(here, i)
+        {
+            here[i] = stated ? Up[i] : rAU_[inside[i]]*H[inside[i]];
+        }
+    });
+    faces_.flux(HbyA_, "flux(HbyA)", flux);
+
+    // walls carry no source
+    scalarField source(sourceFaces_);
+    faces_.patches([&](const label patchi, const fvPatch& patch)
+    {
+        if (wall(patchi))
+        {
+            SubField<scalar>(source, patch.size(), patch.start()) = 0;
+        }
+    });
+    forAll(flux, f)
+    {
+        flux[f] =
+            yieldFaces_[f]*(flux[f] + inertiaFaces_[f])
+          + rDFaces_[f]*source[f];
+    }
+    faces_.patches([&](const label patchi, const fvPatch& patch)
+    {
+        if (isA<fixedFluxPressureFvPatchScalarField>(p_.boundaryField()[patchi]))
+        {
+            scalarField slope(patch.size());
+            forAll(slope, i)
+            {
+                const label f = patch.start() + i;
+                slope[i] =
+                    (
+                        flux[f]
+                      - (faces_.Sf()[f] & U_.boundaryField()[patchi][i])
+                    )/(faces_.magSf()[f]*rDFaces_[f]);
+            }
+            refCast<fixedFluxPressureFvPatchScalarField>
+            (
+                p_.boundaryFieldRef()[patchi]
+            ).updateSnGrad(slope);
+        }
+    });
+
+    // n times it
+    forAll(flux, f)
+    {
+        flux[f] *= nFaces_[f];
+    }
+    if (p_.needReference())
+    {
+        surfaceScalarField nPhi("nPhiHbyA", nPhi_);
+        faces_.put(flux, nPhi);
+        adjustPhi(nPhi, U_, p_);
+        faces_.take(nPhi, flux);
+    }
+}
+
+
+Foam::tmp<Foam::fvScalarMatrix> Foam::fluidSolver::pressure
+(
+    const scalarField& divergence
+)
+{
+    const word name("laplacian((1|A(U)),p)");
+
+    if (!faces_.is("laplacianSchemes", name, "Gauss linear corrected"))
+    {
+        surfaceScalarField nrD
+        (
+            IOobject("nrDf", runTime_.timeName(), mesh_),
+            mesh_,
+            dimensionedScalar(dimTime, Zero)
+        );
+        faces_.put(nrDFaces_, nrD);
+        tmp<fvScalarMatrix> tpEqn(fvm::laplacian(nrD, p_, name));
+        tpEqn.ref().source() += divergence;
+        return tpEqn;
+    }
+
+    tmp<fvScalarMatrix> tpEqn
+    (
+        new fvScalarMatrix(p_, dimTime*dimLength*p_.dimensions())
+    );
+    fvScalarMatrix& pEqn = tpEqn.ref();
+
+    scalarField& upper = pEqn.upper();
+    forAll(upper, f)
+    {
+        upper[f] = nrDFaces_[f]*faces_.magSf()[f]*faces_.deltaCoeffs()[f];
+    }
+    pEqn.negSumDiag();
+
+    faces_.patches([&](const label patchi, const fvPatch& patch)
+    {
+        const fvPatchScalarField& pp = p_.boundaryField()[patchi];
+        const scalarField g
+        (
+            SubField<scalar>(nrDFaces_, patch.size(), patch.start())
+           *patch.magSf()
+        );
+        if (pp.coupled())
+        {
+            const scalarField d
+            (
+                SubField<scalar>
+                (
+                    faces_.deltaCoeffs(),
+                    patch.size(),
+                    patch.start()
+                )
+            );
+            pEqn.internalCoeffs()[patchi] = g*pp.gradientInternalCoeffs(d);
+            pEqn.boundaryCoeffs()[patchi] = -g*pp.gradientBoundaryCoeffs(d);
+        }
+        else
+        {
+            pEqn.internalCoeffs()[patchi] = g*pp.gradientInternalCoeffs();
+            pEqn.boundaryCoeffs()[patchi] = -g*pp.gradientBoundaryCoeffs();
+        }
+    });
+
+    pEqn.source() = divergence;
+    if (!faces_.orthogonal())
+    {
+        scalarField across;
+        faces_.grad(p_, gradp_);
+        faces_.correction(gradp_, across);
+        forAll(across, f)
+        {
+            across[f] *= nrDFaces_[f]*faces_.magSf()[f];
+        }
+        scalarField sum;
+        faces_.sum(across, sum);
+        pEqn.source() -= sum;
+
+        pEqn.faceFluxCorrectionPtr() = new surfaceScalarField
+        (
+            IOobject("across", runTime_.timeName(), mesh_),
+            mesh_,
+            dimensionedScalar(pEqn.dimensions(), Zero)
+        );
+        faces_.put(across, *pEqn.faceFluxCorrectionPtr());
+        pEqn.faceFluxCorrectionPtr()->setOriented();
+    }
+    return tpEqn;
+}
+
+
+void Foam::fluidSolver::correctPressure
+(
+    particleCoupling& coupling,
+    const scalarField& ddtN,
+    const fvVectorMatrix& UEqn
+)
+{
+    vectorField H;
+    scalarField flux, divergence, gradPFaces(mesh_.nFaces(), Zero);
+    freeFlux(UEqn, H, flux);
+    faces_.sum(flux, divergence);
+    divergence += ddtN*mesh_.V();
+
+    while (pimple_.correctNonOrthogonal())
+    {
+        const tmp<fvScalarMatrix> tpEqn(pressure(divergence));
+        fvScalarMatrix& pEqn = tpEqn.constCast();
+
+        pEqn.setReference(pRefCell_, pRefValue_);
+        pEqn.solve(mesh_.solver(p_.select(pimple_.finalInnerIter())));
+
+        if (pimple_.finalNonOrthogonalIter())
+        {
+            faces_.take(pEqn.flux()(), gradPFaces);
+            scalarField phi(mesh_.nFaces(), Zero);
+            forAll(nPhiFaces_, f)
+            {
+                nPhiFaces_[f] = flux[f] - gradPFaces[f];
+                phi[f] = nPhiFaces_[f]/nFaces_[f];
+                gradPFaces[f] /= nrDFaces_[f];
+            }
+            faces_.put(nPhiFaces_, nPhi_);
+            faces_.put(phi, phi_);
+        }
+    }
+
+    p_.relax();
+
+    balanced(coupling, gradPFaces);
+    vectorField& U = U_.primitiveFieldRef();
+    forAll(U, celli)
+    {
+        U[celli] = (H[celli] + force_[celli])/A_[celli];
+    }
+    U_.correctBoundaryConditions();
+}
+
+
+// ************************************************************************* //

@@ -23,7 +23,7 @@ Foam::tmp<Foam::Field<Type>> Foam::faceOperators::patchValues
     }
 
     const labelUList& own = values.patch().faceCells();
-    tmp<Field<Type>> tfaces(values.patchNeighbourField());
+    auto tfaces = tmp<Field<Type>>::New(values.patchNeighbourField());
     Field<Type>& faces = tfaces.ref();
     forAll(faces, i)
     {

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "clones.h"
-#include "inv_sqrt.h"
+#include "near_pairs.h"
 
 namespace clay {
 
@@ -22,10 +20,13 @@ double CoulombLaw::energy(double qq, double r) const
   return k * qq * (1 / r - 1 / cutoff + (shifted ? (r - cutoff) / (cutoff * cutoff) : 0));
 }
 
+// ---- spheres and groups
+
 void ChargeGroups::clear()
 {
   for (auto* v : {&x, &y, &z, &q}) v->clear();
   groups.clear();
+  was_.clear();
 }
 
 void ChargeGroups::add(double px, double py, double pz, double charge)
@@ -36,140 +37,184 @@ void ChargeGroups::add(double px, double py, double pz, double charge)
   q.push_back(charge);
 }
 
-void ChargeGroups::close(long body, bool acted)
-{
-  Group g{groups.empty() ? 0 : groups.back().end, int(x.size()), body, acted, 0, 0, 0, 0};
-  const int n = g.end - g.begin;
-  if (n == 0) return;
-  for (int i = g.begin; i < g.end; ++i) {
-    g.x += x[i] / n;
-    g.y += y[i] / n;
-    g.z += z[i] / n;
-  }
-  for (int i = g.begin; i < g.end; ++i)
-    g.r = std::max(g.r, std::hypot(x[i] - g.x, y[i] - g.y, z[i] - g.z));
-  groups.push_back(g);
-}
-
-std::vector<std::pair<int, int>> pairsInReach(const ChargeGroups& c, const CoulombLaw& law)
-{
-  std::vector<std::pair<int, int>> pairs;
-
-  // a sweep along z: of two groups, the upper looks down no farther than it reaches
-  std::vector<int> order(c.groups.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&c](int a, int b) { return c.groups[a].z < c.groups[b].z; });
-  double widest = 0;
-  for (const auto& g : c.groups) widest = std::max(widest, g.r);
-
-  for (std::size_t a = 0; a < order.size(); ++a) {
-    const ChargeGroups::Group& A = c.groups[order[a]];
-    if (A.body < 0 && A.acted) pairs.emplace_back(order[a], order[a]);
-    for (std::size_t b = a; b-- > 0;) {
-      const ChargeGroups::Group& B = c.groups[order[b]];
-      const double dz = A.z - B.z;
-      if (dz > law.cutoff + A.r + widest) break;
-      if (!A.acted && !B.acted) continue;
-      if (A.body >= 0 && A.body == B.body) continue;
-      const double dx = A.x - B.x, dy = A.y - B.y, reach = law.cutoff + A.r + B.r;
-      if (dx * dx + dy * dy + dz * dz < reach * reach) pairs.emplace_back(order[a], order[b]);
-    }
-  }
-  return pairs;
-}
-
 namespace {
 
-constexpr int LANES = ChargeGroups::Lanes::WIDTH;
-
-int wholeLanes(int n) { return (n + LANES - 1) / LANES * LANES; }
-
-void fillLanes(ChargeGroups& c)
+void centre(const ChargeGroups& c, ChargeGroup& g)
 {
-  ChargeGroups::Lanes& s = c.lanes;
-  s.begin.clear();
-  int n = 0;
-  for (const auto& g : c.groups) {
-    s.begin.push_back(n);
-    n += wholeLanes(g.end - g.begin);
+  double s[3] = {0, 0, 0};
+  for (int i = g.begin; i < g.end; ++i) {
+    s[0] += c.x[i];
+    s[1] += c.y[i];
+    s[2] += c.z[i];
   }
-  for (auto* v : {&s.x, &s.y, &s.z, &s.q, &s.fx, &s.fy, &s.fz}) v->assign(n, 0.0);
-  for (auto* v : {&s.sx, &s.sy, &s.sz}) v->assign(n * LANES, 0.0);
-  s.reaching.resize(n);
-  for (std::size_t k = 0; k < s.begin.size(); ++k) {
-    const auto& g = c.groups[k];
-    for (int i = g.begin, l = s.begin[k]; i < g.end; ++i, ++l) {
-      s.x[l] = c.x[i];
-      s.y[l] = c.y[i];
-      s.z[l] = c.z[i];
-      s.q[l] = c.q[i];
-    }
-  }
+  const double part = 1.0 / (g.end - g.begin);
+  g.x = part * s[0];
+  g.y = part * s[1];
+  g.z = part * s[2];
 }
 
-// the spheres of each pair's first group on those of its second, and back
-CLAY_CLONES void act(ChargeGroups& c, const CoulombLaw& law, const std::vector<std::pair<int, int>>& pairs)
+void radius(const ChargeGroups& c, ChargeGroup& g)
 {
-  ChargeGroups::Lanes& s = c.lanes;
-  const double cut2 = law.cutoff * law.cutoff, shift = law.shifted ? 1 / cut2 : 0;
-  const double least = 1e-12 * cut2;  // spheres that coincide push with a finite force
-  double *const fx = s.fx.data(), *const fy = s.fy.data(), *const fz = s.fz.data();
-  const double *const x = s.x.data(), *const y = s.y.data(), *const z = s.z.data(), *const q = s.q.data();
-  int *const reaching = s.reaching.data();
-
-  for (const auto& p : pairs) {
-    const ChargeGroups::Group &A = c.groups[p.first], &B = c.groups[p.second];
-    const int a = s.begin[p.first], b = s.begin[p.second], n = wholeLanes(B.end - B.begin);
-    // a group of loose spheres with itself meets each pair twice
-    const double back = p.first == p.second ? 0 : 1, near2 = (law.cutoff + B.r) * (law.cutoff + B.r);
-
-    int count = 0;
-    for (int i = a; i < a + A.end - A.begin; ++i) {
-      const double ex = x[i] - B.x, ey = y[i] - B.y, ez = z[i] - B.z;
-      reaching[count] = i;
-      count += ex * ex + ey * ey + ez * ez < near2;
-    }
-    for (int k = 0; k < count; ++k) {
-      const int i = reaching[k];
-      const double xi = x[i], yi = y[i], zi = z[i], kqi = law.k * q[i];
-      double *const sx = &s.sx[i * LANES], *const sy = &s.sy[i * LANES], *const sz = &s.sz[i * LANES];
-      for (int j = b; j < b + n; j += LANES) {
-#pragma omp simd simdlen(8)
-        for (int l = 0; l < LANES; ++l) {
-          const double dx = xi - x[j + l], dy = yi - y[j + l], dz = zi - z[j + l];
-          const double r2 = dx * dx + dy * dy + dz * dz;
-          const double inv = invSqrt(r2 > least ? r2 : least);
-          const double uncut = kqi * q[j + l] * (inv * inv - shift) * inv;
-          const double w = r2 < cut2 ? uncut : 0.0;
-          sx[l] += w * dx;
-          sy[l] += w * dy;
-          sz[l] += w * dz;
-          fx[j + l] -= back * w * dx;
-          fy[j + l] -= back * w * dy;
-          fz[j + l] -= back * w * dz;
-        }
-      }
-    }
+  double r2 = 0;
+  for (int i = g.begin; i < g.end; ++i) {
+    const double dx = c.x[i] - g.x, dy = c.y[i] - g.y, dz = c.z[i] - g.z;
+    r2 = std::max(r2, dx * dx + dy * dy + dz * dz);
   }
+  g.r = std::sqrt(r2) * (1 + 1e-6);  // bodies are rigid to rounding
 }
 
 }  // namespace
 
-void coulombForces(ChargeGroups& c, const CoulombLaw& law)
+void ChargeGroups::close(long body, bool acted)
 {
-  fillLanes(c);
-  act(c, law, pairsInReach(c, law));
-  const ChargeGroups::Lanes& s = c.lanes;
-
-  for (auto* f : {&c.fx, &c.fy, &c.fz}) f->resize(c.x.size());
-  for (std::size_t k = 0; k < c.groups.size(); ++k)
-    for (int i = c.groups[k].begin, l = s.begin[k]; i < c.groups[k].end; ++i, ++l) {
-      const double *sx = &s.sx[l * LANES], *sy = &s.sy[l * LANES], *sz = &s.sz[l * LANES];
-      c.fx[i] = std::accumulate(sx, sx + LANES, s.fx[l]);
-      c.fy[i] = std::accumulate(sy, sy + LANES, s.fy[l]);
-      c.fz[i] = std::accumulate(sz, sz + LANES, s.fz[l]);
-    }
+  ChargeGroup g = {};
+  g.begin = groups.empty() ? 0 : groups.back().end;
+  g.end = static_cast<int>(x.size());
+  g.body = body;
+  g.acted = acted;
+  if (g.begin == g.end) return;
+  centre(*this, g);
+  radius(*this, g);
+  groups.push_back(g);
 }
+
+bool ChargeGroups::same_bodies(const ChargeGroups& other) const
+{
+  return q == other.q && std::equal(groups.begin(), groups.end(), other.groups.begin(), other.groups.end(),
+    [](const ChargeGroup& a, const ChargeGroup& b) { return !a.loose() && a.body == b.body && a.end == b.end; });
+}
+
+void ChargeGroups::moved()
+{
+  for (ChargeGroup& g : groups) {
+    centre(*this, g);
+    if (g.loose()) radius(*this, g);
+  }
+}
+
+// ---- who acts on whom
+
+std::vector<std::pair<int, int>> pairsInReach(const ChargeGroups& c, double range)
+{
+  const int n = static_cast<int>(c.groups.size());
+  std::vector<double> reach(n);
+  std::vector<const double*> at(n);
+  for (int g = 0; g < n; ++g) {
+    at[g] = &c.groups[g].x;
+    reach[g] = c.groups[g].r + 0.5 * range;
+  }
+  std::vector<std::pair<int, int>> pairs;
+  near_pairs(at.data(), reach.data(), n, n, pairs);
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), [&c](const std::pair<int, int>& p) {
+    const ChargeGroup &A = c.groups[p.first], &B = c.groups[p.second];
+    return (!A.acted && !B.acted) || (!A.loose() && A.body == B.body);
+  }), pairs.end());
+  for (int g = 0; g < n; ++g)
+    if (c.groups[g].loose() && c.groups[g].acted) pairs.emplace_back(g, g);
+  return pairs;
+}
+
+void ChargeGroups::list(double range)
+{
+  std::vector<std::pair<int, int>> pairs = pairsInReach(*this, range);
+  const std::size_t found = pairs.size();
+  for (std::size_t p = 0; p < found; ++p) {
+    const auto one = pairs[p];
+    const bool a = groups[one.first].loose(), b = groups[one.second].loose();
+    if (a && b && one.first != one.second) pairs.emplace_back(one.second, one.first);
+    if (a && !b) pairs[p] = {one.second, one.first};
+  }
+  all_.first.assign(groups.size() + 1, 0);
+  for (const auto& p : pairs) ++all_.first[p.first + 1];
+  for (std::size_t g = 0; g < groups.size(); ++g) all_.first[g + 1] += all_.first[g];
+  std::vector<int> next(all_.first.begin(), all_.first.end() - 1);
+  all_.second.resize(pairs.size());
+  for (const auto& p : pairs) all_.second[next[p.first]++] = p.second;
+
+  was_.clear();
+  for (const auto& g : groups) was_.insert(was_.end(), {g.x, g.y, g.z, g.r});
+  largest_ = 0;
+  for (double charge : q) largest_ = std::max(largest_, std::abs(charge));
+  if (single) floats_.build(groups, q, largest_);
+  else doubles_.build(groups, q, largest_);
+}
+
+bool ChargeGroups::listHolds(double skin) const
+{
+  if (was_.size() != 4 * groups.size()) return false;
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const ChargeGroup& g = groups[k];
+    const double *w = &was_[4 * k], dx = g.x - w[0], dy = g.y - w[1], dz = g.z - w[2];
+    const double left = 0.5 * skin - std::max(0.0, g.r - w[3]);
+    if (left <= 0 || dx * dx + dy * dy + dz * dz > left * left) return false;
+  }
+  return true;
+}
+
+void ChargeGroups::sort_by_distance()
+{
+  for (auto* s : {&near_, &far_}) {
+    s->first.assign(1, 0);
+    s->second.clear();
+  }
+  for (std::size_t a = 0; a < groups.size(); ++a) {
+    const ChargeGroup& A = groups[a];
+    for (int p = all_.first[a]; p < all_.first[a + 1]; ++p) {
+      const ChargeGroup& B = groups[all_.second[p]];
+      const double dx = B.x - A.x, dy = B.y - A.y, dz = B.z - A.z, apart = far + A.r + B.r;
+      (dx * dx + dy * dy + dz * dz < apart * apart ? near_ : far_).second.push_back(all_.second[p]);
+    }
+    near_.first.push_back(static_cast<int>(near_.second.size()));
+    far_.first.push_back(static_cast<int>(far_.second.size()));
+  }
+}
+
+// ---- forces
+
+void ChargeGroups::add_up(const CoulombLaw& law, const PairsInReach& pairs)
+{
+  const TileLaw scaled = {law.cutoff, law.shifted ? 1.0 : 0.0, law.k * largest_ * largest_ / (law.cutoff * law.cutoff)};
+  const Places at = {x.data(), y.data(), z.data()};
+  const Forces f = {fx.data(), fy.data(), fz.data()};
+  if (single) clay::act(pairs, scaled, groups, at, floats_, wrenches, f);
+  else clay::act(pairs, scaled, groups, at, doubles_, wrenches, f);
+}
+
+void ChargeGroups::act(const CoulombLaw& law, bool anew)
+{
+  const double skin = 0.1 * law.cutoff;
+  wrenches.resize(groups.size());
+  for (auto* f : {&fx, &fy, &fz}) f->resize(x.size());
+
+  if (!listHolds(skin)) {
+    // pairs that were not in reach are far
+    list(law.cutoff + skin);
+    anew = true;
+  }
+  if (far <= 0) {
+    add_up(law, all_);
+    return;
+  }
+  if (anew) {
+    sort_by_distance();
+    add_up(law, far_);
+    held_ = {wrenches, fx, fy, fz};
+  }
+  add_up(law, near_);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (groups[g].loose())
+      for (int i = groups[g].begin; i < groups[g].end; ++i) {
+        fx[i] += held_.fx[i];
+        fy[i] += held_.fy[i];
+        fz[i] += held_.fz[i];
+      }
+    else
+      for (int d = 0; d < 3; ++d) {
+        wrenches[g].f[d] += held_.wrenches[g].f[d];
+        wrenches[g].t[d] += held_.wrenches[g].t[d];
+      }
+  }
+}
+
 
 }  // namespace clay

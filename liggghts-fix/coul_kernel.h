@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "charge_tiles.h"
+
 namespace clay {
 
 /// F = k q_i q_j / r2 for r < cutoff; shifted: F = k q_i q_j (1/r2 - 1/cutoff2).
@@ -22,49 +24,60 @@ struct CoulombLaw {
   double energy(double qq, double r) const;
 };
 
-/// Charged spheres in order of their groups, one array a component.
-/// A group holds the spheres of one body, or loose ones that are near each other.
-struct ChargeGroups {
-  struct Group {
-    int begin, end;       ///< spheres of the group
-    long body;            ///< groups of the same body do not act on each other; -1 for none
-    bool acted;           ///< has spheres whose force is wanted
-    double x, y, z, r;    ///< ball around the centres
-  };
-  std::vector<double> x, y, z, q;     ///< centres [m], charges [C]
-  std::vector<double> fx, fy, fz;     ///< forces [N]
-  std::vector<Group> groups;
+/// Charged spheres in order of their groups, and the forces on them.
+class ChargeGroups {
+ public:
+  std::vector<double> x, y, z, q;    ///< centres [m], charges [C]
+  std::vector<ChargeGroup> groups;
+  std::vector<Wrench> wrenches;      ///< on the groups of bodies
+  std::vector<double> fx, fy, fz;    ///< on loose spheres [N]
 
-  /// What coulombForces works with: the spheres again, each group filled up to
-  /// whole vector registers with spheres without charge.
-  struct Lanes {
-    static constexpr int WIDTH = 8;  ///< doubles in the widest register
-    std::vector<int> begin;          ///< of each group
-    std::vector<int> reaching;       ///< spheres of a group within another's reach
-    std::vector<double> x, y, z, q;
-    std::vector<double> fx, fy, fz;  ///< force on a sphere of a pair's second group
-    std::vector<double> sx, sy, sz;  ///< force on one of its first, in WIDTH parts
-  } lanes;
-
-  /// Forgets the spheres and groups; the forces stay until they are set anew.
   void clear();
   void add(double px, double py, double pz, double charge);
   /// Makes a group of the spheres added since the last one.
   void close(long body, bool acted);
+  /// Whether the other's groups are those of the same bodies and charges, in the same order.
+  bool same_bodies(const ChargeGroups& other) const;
+  /// To be called when x, y, z were changed; a body's spheres keep their distances.
+  void moved();
+
+  /// Single precision in place of double leaves an error of the order of 1e-7 of the largest force.
+  bool single = false;
+  /// Groups whose balls have this gap [m] or more between them are far; 0 for none.
+  double far = 0;
+
+  /// Sets the forces. Without `anew` those of the groups that were far stay as they are.
+  void act(const CoulombLaw& law, bool anew = true);
+
+ private:
+  struct Sums {
+    std::vector<Wrench> wrenches;
+    std::vector<double> fx, fy, fz;
+  };
+
+  bool listHolds(double skin) const;
+  void list(double range);
+  void sort_by_distance();
+  void add_up(const CoulombLaw& law, const PairsInReach& pairs);
+
+  PairsInReach all_, near_, far_;  // all with a skin, for many calls
+  std::vector<double> was_;        // balls when it was made
+  double largest_ = 0;             // charge
+  Sums held_;                      // of the far ones
+  ChargeTiles<float> floats_;
+  ChargeTiles<double> doubles_;
 };
 
-/// Pairs of groups within each other's reach, of which at least one is acted
-/// on; a group of loose spheres is also a pair with itself.
-std::vector<std::pair<int, int>> pairsInReach(const ChargeGroups& c, const CoulombLaw& law);
+/// Pairs of groups whose balls are closer than `range` [m] and of which one is acted on;
+/// a group of loose spheres is also a pair with itself.
+std::vector<std::pair<int, int>> pairsInReach(const ChargeGroups& c, double range);
 
-/// Sets the forces between the groups.
-void coulombForces(ChargeGroups& c, const CoulombLaw& law);
 
 /// Calls visit(i, j, r) for every pair of spheres that acts, r apart.
 template <class Visit>
 void eachPair(const ChargeGroups& c, const CoulombLaw& law, Visit visit)
 {
-  for (const auto& p : pairsInReach(c, law)) {
+  for (const auto& p : pairsInReach(c, law.cutoff)) {
     const auto &A = c.groups[p.first], &B = c.groups[p.second];
     for (int i = A.begin; i < A.end; ++i)
       for (int j = B.begin; j < (p.first == p.second ? i : B.end); ++j) {

@@ -63,7 +63,7 @@ struct CoulombScene {
     }
   }
 
-  void step() { coulombForces(groups, law); }
+  void step() { groups.act(law); }
 };
 
 }  // namespace clay

@@ -2,7 +2,8 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
    pair_style coul/clump cutoff [sharp|shifted] [permittivity eps_r]
-                         [every N [impulse|hold]]
+                         [every N [impulse|hold]] [far D M]
+                         [double|single]
    Coulomb forces between the charged spheres of different bodies.
 ------------------------------------------------------------------------- */
 
@@ -48,20 +49,28 @@ class PairCoulClump : public Pair {
   bool kicks() const { return every_ > 1 && !hold_; }
   /// Steps between two evaluations.
   int every() const { return every_; }
-  /// Number of evaluations since the start.
+  /// Number of evaluations since the start, of near pairs at least.
   bigint evaluations() const { return evaluations_; }
 
  private:
   void allocate();
   void lay_out();
   void gather();
-  void add_forces(double factor);
+  void take_forces(double factor);
+  void add_forces();
   void tally();
+
+  // on all charges of a body that are this processor's, or on a loose sphere
+  struct Held {
+    int atom;
+    double f[3], torque[3];
+  };
 
   clay::CoulombLaw law_;
   double permittivity_;
   int every_;
   bool hold_;
+  int far_every_;                // evaluations; of bodies that are groups_.far apart
 
   std::vector<double> charge_;   // by type
   std::vector<char> given_;      // charge was given
@@ -70,9 +79,10 @@ class PairCoulClump : public Pair {
   class FixMultisphere *multisphere_;
   clay::ChargeGroups groups_;
   std::vector<int> order_;             // atoms in the order of the groups
-  std::vector<int> ends_;              // end of each group in order_
+  std::vector<Held> held_;             // forces of the last evaluation
   bigint laid_out_;                    // time step of the last lay_out()
-  int nall_;                           // atoms seen then
+  int nlocal_, nall_;                  // atoms seen then
+  int far_age_;                        // evaluations since those of far bodies
   bigint evaluated_;                   // time step the held forces are of
   bigint evaluations_;
 };

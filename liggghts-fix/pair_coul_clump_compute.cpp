@@ -22,23 +22,26 @@
 using namespace LAMMPS_NS;
 
 /* ----------------------------------------------------------------------
-   groups: the spheres of one body; loose spheres by cells
+   groups: the spheres of one body that are this processor's, those that are
+   not, and those of its periodic images; loose spheres by cells
 ------------------------------------------------------------------------- */
 
 namespace {
 
 struct Place {
-  int body, cell[3], atom;
+  int body, cell[3];
+  bool ghost;
+  int atom;
   bool same_group(const Place &o) const
   {
-    return body == o.body && cell[0] == o.cell[0] && cell[1] == o.cell[1] && cell[2] == o.cell[2];
+    return body == o.body && cell[0] == o.cell[0] && cell[1] == o.cell[1] && cell[2] == o.cell[2] && ghost == o.ghost;
   }
   bool operator<(const Place &o) const
   {
     if (body != o.body) return body < o.body;
     for (int d = 0; d < 3; d++)
       if (cell[d] != o.cell[d]) return cell[d] < o.cell[d];
-    return atom < o.atom;
+    return ghost != o.ghost ? o.ghost : atom < o.atom;
   }
 };
 
@@ -46,17 +49,19 @@ struct Place {
 
 void PairCoulClump::lay_out()
 {
+  const int n = atom->nlocal + atom->nghost;
+  const bool same_atoms = atom->nlocal == nlocal_ && n == nall_;
   laid_out_ = neighbor->lastcall;
-  nall_ = atom->nlocal + atom->nghost;
-  evaluated_ = -1;
+  nlocal_ = atom->nlocal;
+  nall_ = n;
 
   double **x = atom->x;
   std::vector<Place> places;
-  places.reserve(nall_);
-  for (int i = 0; i < nall_; i++) {
+  places.reserve(n);
+  for (int i = 0; i < n; i++) {
     if (charge_[atom->type[i]] == 0.0) continue;
     const int body = multisphere_ ? std::max(-1, multisphere_->belongs_to(i)) : -1;
-    Place p = { body, {0, 0, 0}, i };
+    Place p = { body, {0, 0, 0}, i >= nlocal_, i };
     if (body < 0)
       for (int d = 0; d < 3; d++) p.cell[d] = static_cast<int>(floor(3.0*x[i][d]/law_.cutoff));
     places.push_back(p);
@@ -79,11 +84,19 @@ void PairCoulClump::lay_out()
   if (periodic) std::sort(places.begin(), places.end());
 
   order_.clear();
-  ends_.clear();
+  clay::ChargeGroups groups;
   for (std::size_t k = 0; k < places.size(); k++) {
-    order_.push_back(places[k].atom);
-    if (k+1 == places.size() || !places[k].same_group(places[k+1])) ends_.push_back(k+1);
+    const int i = places[k].atom;
+    order_.push_back(i);
+    groups.add(x[i][0], x[i][1], x[i][2], charge_[atom->type[i]]);
+    if (k+1 == places.size() || !places[k].same_group(places[k+1])) groups.close(places[k].body, !places[k].ghost);
   }
+  // with the same bodies as before, all of this processor, the forces still hold
+  if (same_atoms && n == nlocal_ && groups_.same_bodies(groups)) return;
+  groups.single = groups_.single;
+  groups.far = groups_.far;
+  groups_ = groups;
+  evaluated_ = -1;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -91,31 +104,56 @@ void PairCoulClump::lay_out()
 void PairCoulClump::gather()
 {
   double **x = atom->x;
-  groups_.clear();
-  std::size_t k = 0;
-  for (std::size_t g = 0; g < ends_.size(); g++) {
-    bool owned = false;
-    const int body = multisphere_ ? std::max(-1, multisphere_->belongs_to(order_[k])) : -1;
-    for (; k < static_cast<std::size_t>(ends_[g]); k++) {
-      const int i = order_[k];
-      groups_.add(x[i][0], x[i][1], x[i][2], charge_[atom->type[i]]);
-      owned = owned || i < atom->nlocal;
+  for (std::size_t k = 0; k < order_.size(); k++) {
+    const double *xi = x[order_[k]];
+    groups_.x[k] = xi[0];
+    groups_.y[k] = xi[1];
+    groups_.z[k] = xi[2];
+  }
+  groups_.moved();
+}
+
+/* ----------------------------------------------------------------------
+   what acts on a body is given to one of its spheres, with the torque about
+   that sphere: the body takes them up as it does those on all spheres
+------------------------------------------------------------------------- */
+
+void PairCoulClump::take_forces(double factor)
+{
+  held_.clear();
+  for (std::size_t g = 0; g < groups_.groups.size(); g++) {
+    const clay::ChargeGroup &group = groups_.groups[g];
+    if (!group.acted) continue;
+    if (group.loose()) {
+      for (int k = group.begin; k < group.end; k++) {
+        const Held one = { order_[k], {factor*groups_.fx[k], factor*groups_.fy[k], factor*groups_.fz[k]}, {0., 0., 0.} };
+        held_.push_back(one);
+      }
+      continue;
     }
-    groups_.close(body, owned);
+    const clay::Wrench &w = groups_.wrenches[g];
+    const int k = group.begin;
+    const double r[3] = { group.x - groups_.x[k], group.y - groups_.y[k], group.z - groups_.z[k] };
+    Held one = { order_[k], {0., 0., 0.}, {0., 0., 0.} };
+    for (int d = 0; d < 3; d++) {
+      const int e = (d+1)%3, f = (d+2)%3;
+      one.f[d] = factor*w.f[d];
+      one.torque[d] = factor*(w.t[d] + r[e]*w.f[f] - r[f]*w.f[e]);
+    }
+    held_.push_back(one);
   }
 }
 
 /* ---------------------------------------------------------------------- */
 
-void PairCoulClump::add_forces(double factor)
+void PairCoulClump::add_forces()
 {
-  double **f = atom->f;
-  for (std::size_t k = 0; k < order_.size(); k++) {
-    const int i = order_[k];
-    if (i >= atom->nlocal) continue;
-    f[i][0] += factor*groups_.fx[k];
-    f[i][1] += factor*groups_.fy[k];
-    f[i][2] += factor*groups_.fz[k];
+  double **f = atom->f, **torque = atom->torque_flag ? atom->torque : NULL;
+  for (std::size_t k = 0; k < held_.size(); k++) {
+    const Held &one = held_[k];
+    for (int d = 0; d < 3; d++) f[one.atom][d] += one.f[d];
+    if (torque)
+      for (int d = 0; d < 3; d++) torque[one.atom][d] += one.torque[d];
   }
 }
 
@@ -150,12 +188,14 @@ void PairCoulClump::compute(int eflag, int vflag)
                          : step % every_ == 0;
   if (due || evflag) gather();
   if (due) {
-    clay::coulombForces(groups_, law_);
+    const bool anew = evaluated_ < 0 || ++far_age_ >= far_every_;
+    if (anew) far_age_ = 0;
+    groups_.act(law_, anew);
+    take_forces(hold_ ? 1.0 : every_);
     evaluated_ = step;
     evaluations_++;
   }
-  if (hold_) add_forces(1.0);
-  else if (due) add_forces(every_);
+  if (due || hold_) add_forces();
 
   if (evflag) tally();
 }

@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -42,34 +43,91 @@ ChargeGroups grouped(const std::vector<Ball>& balls)
   return g;
 }
 
-void expectBruteForce(const std::vector<Ball>& balls, const CoulombLaw& law)
+// forces by the sum over all pairs, one by one
+std::vector<std::array<double, 3>> oneByOne(const std::vector<Ball>& balls, const CoulombLaw& law, int* acting)
 {
-  ChargeGroups g = grouped(balls);
-  coulombForces(g, law);
-  double largest = 0, error = 0;
-  int acting = 0;
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    if (!balls[i].owned) continue;
-    double f[3] = {0, 0, 0};
+  std::vector<std::array<double, 3>> f(balls.size(), {0, 0, 0});
+  *acting = 0;
+  for (std::size_t i = 0; i < balls.size(); ++i)
     for (std::size_t j = 0; j < balls.size(); ++j) {
-      if (i == j || (balls[i].body >= 0 && balls[i].body == balls[j].body)) continue;
+      if (i == j || !balls[i].owned || (balls[i].body >= 0 && balls[i].body == balls[j].body)) continue;
       double d[3], r2 = 0;
       for (int c = 0; c < 3; ++c) { d[c] = balls[i].x[c] - balls[j].x[c]; r2 += d[c] * d[c]; }
       const double r = std::sqrt(r2);
       if (r >= law.cutoff) continue;
-      ++acting;
+      ++*acting;
       const double size = 8.9875517873681764e9 * balls[i].q * balls[j].q
                           * (1 / r2 - (law.shifted ? 1 / (law.cutoff * law.cutoff) : 0));
-      for (int c = 0; c < 3; ++c) f[c] += size * d[c] / r;
+      for (int c = 0; c < 3; ++c) f[i][c] += size * d[c] / r;
     }
-    const double got[3] = {g.fx[i], g.fy[i], g.fz[i]};
-    for (int c = 0; c < 3; ++c) {
-      largest = std::max(largest, std::abs(f[c]));
-      error = std::max(error, std::abs(f[c] - got[c]));
+  return f;
+}
+
+struct Errors { double force, torque; };
+
+// of bodies' forces and torques and loose spheres' forces, over the largest
+Errors against(const ChargeGroups& g, const std::vector<std::array<double, 3>>& f)
+{
+  double size[2] = {0, 0}, error[2] = {0, 0};
+  const auto compare = [&](int what, double wanted, double got) {
+    size[what] = std::max(size[what], std::abs(wanted));
+    error[what] = std::max(error[what], std::abs(wanted - got));
+  };
+  for (std::size_t k = 0; k < g.groups.size(); ++k) {
+    const ChargeGroup& group = g.groups[k];
+    if (!group.acted) continue;
+    double F[3] = {0, 0, 0}, T[3] = {0, 0, 0};
+    for (int i = group.begin; i < group.end; ++i) {
+      const double r[3] = {g.x[i] - group.x, g.y[i] - group.y, g.z[i] - group.z};
+      const double sphere[3] = {g.fx[i], g.fy[i], g.fz[i]};
+      for (int c = 0; c < 3; ++c) {
+        const int d = (c + 1) % 3, e = (c + 2) % 3;
+        F[c] += f[i][c];
+        T[c] += r[d] * f[i][e] - r[e] * f[i][d];
+        if (group.loose()) compare(0, f[i][c], sphere[c]);
+      }
+    }
+    for (int c = 0; c < 3 && !group.loose(); ++c) {
+      compare(0, F[c], g.wrenches[k].f[c]);
+      compare(1, T[c], g.wrenches[k].t[c]);
     }
   }
+  return {error[0] / size[0], size[1] > 0 ? error[1] / size[1] : 0};
+}
+
+// Single precision: 1e-7 of what the places are counted in, a group's size, is up to 3e-6 of the
+// distance of two spheres here, which do not mind to overlap.
+void expectBruteForce(const std::vector<Ball>& balls, const CoulombLaw& law)
+{
+  int acting;
+  const auto f = oneByOne(balls, law, &acting);
   EXPECT_GT(acting, 100);
-  EXPECT_LT(error, 1e-12 * largest);
+  for (bool single : {false, true}) {
+    ChargeGroups g = grouped(balls);
+    g.single = single;
+    g.act(law);
+    const Errors e = against(g, f);
+    EXPECT_LT(e.force, single ? 1e-5 : 1e-12);
+    EXPECT_LT(e.torque, single ? 1e-5 : 1e-12);
+    if (single) {
+      EXPECT_GT(e.force, 1e-9);
+    }
+  }
+}
+
+void shift(std::vector<Ball>& balls, ChargeGroups& g, double by)
+{
+  // each body its own way, loose spheres each theirs
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const double turn = balls[i].body >= 0 ? balls[i].body : 1.3 * i;
+    balls[i].x[0] += by * std::cos(turn);
+    balls[i].x[1] += by * std::sin(turn);
+    balls[i].x[2] += by * std::sin(2 * turn);
+    g.x[i] = balls[i].x[0];
+    g.y[i] = balls[i].x[1];
+    g.z[i] = balls[i].x[2];
+  }
+  g.moved();
 }
 
 }  // namespace
@@ -95,9 +153,11 @@ TEST(CoulKernel, spheresOfABodyDoNotAct)
   g.close(5, true);
   CoulombLaw law;
   law.cutoff = 10;
-  coulombForces(g, law);
-  EXPECT_EQ(g.fx[0], 0);
-  EXPECT_EQ(g.fx[1], 0);
+  g.act(law);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_EQ(g.wrenches[0].f[c], 0);
+    EXPECT_EQ(g.wrenches[0].t[c], 0);
+  }
 }
 
 TEST(CoulKernel, forcesBalance)
@@ -107,10 +167,90 @@ TEST(CoulKernel, forcesBalance)
   ChargeGroups g = grouped(balls);
   CoulombLaw law;
   law.cutoff = 3;
-  coulombForces(g, law);
-  double sum = 0, size = 0;
-  for (double f : g.fx) { sum += f; size += std::abs(f); }
-  EXPECT_LT(std::abs(sum), 1e-13 * size);
+  for (bool single : {false, true}) {
+    g = grouped(balls);
+    g.single = single;
+    g.act(law);
+    double sum = 0, turn = 0, size = 0;
+    for (std::size_t k = 0; k < g.groups.size(); ++k) {
+      const ChargeGroup& group = g.groups[k];
+      if (!group.loose()) {
+        const Wrench& w = g.wrenches[k];
+        sum += w.f[0];
+        turn += w.t[0] + group.y * w.f[2] - group.z * w.f[1];
+        size += std::abs(w.f[0]);
+        continue;
+      }
+      for (int i = group.begin; i < group.end; ++i) {
+        sum += g.fx[i];
+        turn += g.y[i] * g.fz[i] - g.z[i] * g.fy[i];
+        size += std::abs(g.fx[i]);
+      }
+    }
+    EXPECT_LT(std::abs(sum), (single ? 1e-7 : 1e-13) * size);
+    EXPECT_LT(std::abs(turn), (single ? 1e-5 : 1e-12) * size);
+  }
+}
+
+// a list kept while spheres move, until it has to be made anew
+TEST(CoulKernel, groupsThatMove)
+{
+  auto balls = suspension(100, 60, 6);
+  ChargeGroups g = grouped(balls);
+  CoulombLaw law;
+  law.cutoff = 2.5;
+  for (int step = 0; step < 12; ++step) {
+    g.act(law);
+    int acting;
+    EXPECT_LT(against(g, oneByOne(balls, law, &acting)).force, 1e-12) << step;
+    shift(balls, g, step < 9 ? 0.03 : 0.4);
+  }
+}
+
+// far groups' forces stay; those of near ones do not
+TEST(CoulKernel, farGroupsAreHeld)
+{
+  auto balls = suspension(100, 60, 7);
+  CoulombLaw law;
+  law.cutoff = 4;
+  int acting;
+  const auto before = oneByOne(balls, law, &acting);
+  for (bool single : {false, true}) {
+    auto moved = balls;
+    ChargeGroups g = grouped(moved);
+    g.single = single;
+    g.far = 1.5;
+    g.act(law);
+    const double exact = single ? 1e-5 : 1e-12;
+    EXPECT_LT(against(g, before).force, exact);
+    EXPECT_LT(against(g, before).torque, exact);
+
+    // one that moves by s has forces that are off by 2 s/r, of q q/r2 with r > far; here of up to some 30 spheres
+    const double s = 1e-3;
+    shift(moved, g, s);
+    g.act(law, false);
+    const auto now = oneByOne(moved, law, &acting);
+    const Errors held = against(g, now);
+    EXPECT_GT(held.force, 10 * exact);
+    EXPECT_LT(held.force, 2 * (2 * s / g.far));
+    const Errors all_held = against(g, before);
+    EXPECT_GT(all_held.force, 3 * held.force);
+
+    g.act(law);
+    EXPECT_LT(against(g, now).force, exact);
+  }
+}
+
+TEST(CoulKernel, sameBodies)
+{
+  auto balls = suspension(4, 0, 8);
+  const ChargeGroups g = grouped(balls);
+  EXPECT_TRUE(g.same_bodies(grouped(balls)));
+  balls[3].q *= -1;
+  EXPECT_FALSE(g.same_bodies(grouped(balls)));
+  EXPECT_FALSE(g.same_bodies(grouped(suspension(3, 0, 8))));
+  const auto loose = suspension(0, 9, 8);
+  EXPECT_FALSE(grouped(loose).same_bodies(grouped(loose)));
 }
 
 TEST(CoulKernel, lawIsTheSlopeOfItsEnergy)

@@ -25,7 +25,7 @@ namespace test {
 
 struct Atom {
   int tag, type, body;
-  double x[3], v[3], f[3], radius, rmass, density, weight;
+  double x[3], v[3], f[3], torque[3], radius, rmass, density, weight;
 };
 
 class Host {
@@ -75,6 +75,7 @@ class Host {
         o.x[d] = a.x[i][d];
         o.v[d] = a.v[i][d];
         o.f[d] = a.f[i][d];
+        o.torque[d] = a.torque_flag ? a.torque[i][d] : 0.0;
       }
     }
     int size, bytes = static_cast<int>(mine.size() * sizeof(Atom));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "host.h"
 #include "pair.h"
@@ -29,12 +30,16 @@ std::string two(const std::string &style, double apart)
   return s.str();
 }
 
-// largest difference of the forces from pairs counted one by one, minimum image
-// in the periodic directions, over the largest force
-double against_brute_force(const std::vector<test::Atom> &atoms, const double *charge, double cutoff,
+struct Errors { double force, torque; };
+
+// largest difference of the forces on bodies and loose spheres, and of the torques on
+// bodies about their first spheres, from pairs counted one by one, minimum image in the
+// periodic directions, over the largest force or torque
+Errors against_brute_force(const std::vector<test::Atom> &atoms, const double *charge, double cutoff,
                            const double *period, long *acting)
 {
-  double error = 0, largest = 0;
+  struct Sum { double wanted[6], got[6]; const test::Atom *first; };
+  std::map<int, Sum> sums;
   *acting = 0;
   for (const test::Atom &i : atoms) {
     double f[3] = {0, 0, 0};
@@ -50,12 +55,27 @@ double against_brute_force(const std::vector<test::Atom> &atoms, const double *c
       ++*acting;
       for (int c = 0; c < 3; c++) f[c] += k * charge[i.type] * charge[j.type] * d[c] / std::pow(r2, 1.5);
     }
+    Sum &sum = sums.insert({i.body >= 0 ? i.body : -1 - i.tag, Sum{{}, {}, &i}}).first->second;
+    double r[3];
     for (int c = 0; c < 3; c++) {
-      error = std::max(error, std::abs(f[c] - i.f[c]));
-      largest = std::max(largest, std::abs(f[c]));
+      r[c] = i.x[c] - sum.first->x[c];
+      if (period[c] > 0) r[c] -= period[c] * std::round(r[c] / period[c]);
+    }
+    for (int c = 0; c < 3; c++) {
+      const int d = (c + 1) % 3, e = (c + 2) % 3;
+      sum.wanted[c] += f[c];
+      sum.wanted[3 + c] += r[d] * f[e] - r[e] * f[d];
+      sum.got[c] += i.f[c];
+      sum.got[3 + c] += r[d] * i.f[e] - r[e] * i.f[d] + i.torque[c];
     }
   }
-  return error / largest;
+  double error[2] = {0, 0}, largest[2] = {0, 0};
+  for (const auto &s : sums)
+    for (int c = 0; c < 6; c++) {
+      error[c / 3] = std::max(error[c / 3], std::abs(s.second.wanted[c] - s.second.got[c]));
+      largest[c / 3] = std::max(largest[c / 3], std::abs(s.second.wanted[c]));
+    }
+  return {error[0] / largest[0], error[1] / largest[1]};
 }
 
 }  // namespace
@@ -167,8 +187,44 @@ TEST(PairCoulClump, everyPairOfClumpsInReach)
     ASSERT_EQ(atoms.size(), 560u);
     const double period[3] = {0, 0, 0};
     long acting;
-    EXPECT_LT(against_brute_force(atoms, charge, cutoff, period, &acting), 1e-11) << cutoff;
+    const Errors e = against_brute_force(atoms, charge, cutoff, period, &acting);
+    EXPECT_LT(e.force, 1e-11) << cutoff;
+    EXPECT_LT(e.torque, 1e-11) << cutoff;
     EXPECT_GT(acting, 50);
+  }
+}
+
+// bound of the error of single precision; and of far pairs held after a first evaluation
+TEST(PairCoulClump, singlePrecision)
+{
+  const double charge[] = {0, 4e-10, -4e-10};
+  for (const char *far : {"", " far 0.001 1"}) {
+    Host host;
+    host(test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") + "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" +
+         test::material(std::string("coul/clump 0.008 single") + far) +
+         "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n" + test::clumps(40) + "timestep 1e-6\nrun 2\n");
+    const double period[3] = {0, 0, 0};
+    long acting;
+    const Errors e = against_brute_force(host.atoms(), charge, 0.008, period, &acting);
+    EXPECT_LT(e.force, 1e-6);
+    EXPECT_LT(e.torque, 1e-6);
+    EXPECT_GT(e.force, 1e-10);
+  }
+}
+
+// Two loose spheres 4 mm apart and far: their force is that of the last evaluation of far pairs
+TEST(PairCoulClump, farPairsAreHeld)
+{
+  const double qq = 2e-10 * -3e-10, speed = 10;
+  for (int steps : {3, 4}) {
+    Host host;
+    std::ostringstream more;
+    more << "group right type 2\nvelocity right set " << speed << " 0 0 units box\nrun " << steps << "\n";
+    host(two("coul/clump 0.006 far 0.002 4", 0.004) + more.str());
+    const auto a = host.atoms();
+    const double apart = a[1].x[0] - a[0].x[0], then = steps < 4 ? 0.004 : apart;
+    EXPECT_GT(apart, 0.00402);
+    EXPECT_NEAR(a[0].f[0], -k * qq / (then * then), 1e-12 * std::abs(a[0].f[0])) << steps;
   }
 }
 
@@ -181,7 +237,9 @@ TEST(PairCoulClump, acrossPeriodicSides)
        test::clumps(30) + "timestep 1e-6\nrun 2\n");
   const double period[3] = {0.024, 0.024, 0};
   long acting;
-  EXPECT_LT(against_brute_force(host.atoms(), charge, 0.007, period, &acting), 1e-11);
+  const Errors e = against_brute_force(host.atoms(), charge, 0.007, period, &acting);
+  EXPECT_LT(e.force, 1e-11);
+  EXPECT_LT(e.torque, 1e-11);
   EXPECT_GT(acting, 1000);
 }
 

@@ -115,6 +115,7 @@ void Foam::couplingStatistics::write
     j["output_s"] = most(output);
     j["cfd_steps"] = steps;
     j["exchanges"] = exchanges;
+    j["bytes_sent"] = returnReduce(bytesSent, sumOp<double>());
     j["quiet_intervals"] = quietIntervals;
     j["exchanges_without_mapping"] = keptMaps;
     j["particles_mapped"] = returnReduce(mapped, sumOp<scalar>());

@@ -450,6 +450,7 @@ void Foam::particleCoupling::writeStatistics(const dictionary& solverSettings)
     stats_.reynoldsMax = forces_.reynoldsMax();
     stats_.exchange = session_->timing().exchange;
     stats_.waiting = session_->timing().waiting;
+    stats_.bytesSent = session_->timing().bytesSent;
     stats_.write
     (
         mesh_.time().rootPath()/mesh_.time().globalCaseName()/"cfd.json",

@@ -4,6 +4,8 @@
 #include "addToRunTimeSelectionTable.H"
 #include "mathematicalConstants.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -112,6 +114,32 @@ Foam::label Foam::voidFractionModels::divided::meet
 }
 
 
+void Foam::voidFractionModels::divided::leave(const scalar R) const
+{
+    const label n = points_.size();
+    const scalar* x = coordinates_.cdata();
+    const scalar* y = x + n;
+    const scalar* z = y + n;
+    scalar* out = out_.data();
+    scalar* through = through_.data();
+
+    std::fill(out, out + n, -GREAT);
+    std::fill(through, through + n, -1);
+    for (label k = met_[0].begin; k < met_[0].end; ++k)
+    {
+        const scalar front = planes_[k].front, plane = k;
+        const vector a(R*planes_[k].normal);
+        for (label m = 0; m < n; ++m)
+        {
+            const scalar f = front + a.x()*x[m] + a.y()*y[m] + a.z()*z[m];
+            const bool further = f > out[m];
+            out[m] = further ? f : out[m];
+            through[m] = further ? plane : through[m];
+        }
+    }
+}
+
+
 Foam::label Foam::voidFractionModels::divided::walk
 (
     const cellGeometry& geometry,
@@ -180,6 +208,17 @@ Foam::voidFractionModels::divided::divided
     {
         reach_ = max(reach_, mag(x));
     }
+
+    coordinates_.setSize(3*points_.size());
+    forAll(points_, m)
+    {
+        for (direction axis = 0; axis < 3; ++axis)
+        {
+            coordinates_[axis*points_.size() + m] = points_[m][axis];
+        }
+    }
+    out_.setSize(points_.size());
+    through_.setSize(points_.size());
 }
 
 
@@ -194,10 +233,10 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
     p.weight.clear();
     p.offset[0] = 0;
 
-    for (label i = 0; i < p.size(); ++i)
+    for (label particle = 0; particle < p.size(); ++particle)
     {
-        const point& x = p.position[i];
-        const label home = p.cell[i];
+        const point& x = p.position[particle];
+        const label home = p.cell[particle];
         const label start = p.weight.size();
 
         if (home >= 0)
@@ -205,31 +244,46 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
             p.cellIndex.append(home);
             p.weight.append(0);
 
-            if (geometry.outside(home, x) <= -reach_*p.radius[i])
+            if (geometry.outside(home, x) <= -reach_*p.radius[particle])
             {
                 p.weight.last() = 1;
-                p.offset[i + 1] = p.weight.size();
+                p.offset[particle + 1] = p.weight.size();
                 continue;
             }
         }
 
-        const scalar R = p.radius[i];
+        const scalar R = p.radius[particle];
         planes_.clear();
         met_.clear();
         if (home >= 0)
         {
             met_[meet(geometry, home, x, R)].entry = start;
+            leave(R);
         }
 
-        for (const point& unit : points_)
+        forAll(points_, i)
         {
-            label m = met_.empty() ? -1 : walk(geometry, unit, x, R, 0);
+            label m = -1;
+            if (home >= 0)
+            {
+                if (out_[i] <= 1e-12*R)
+                {
+                    p.weight[start] += share;
+                    continue;
+                }
+                const label across = planes_[label(through_[i])].across;
+                if (across >= 0)
+                {
+                    m = meet(geometry, across, x, R);
+                    m = walk(geometry, points_[i], x, R, m);
+                }
+            }
             if (m < 0)
             {
                 // behind the boundary, around a corner or from nowhere
                 scalar away;
-                const label from = met_.empty() ? -1 : met_[0].cell;
-                const label celli = geometry.find(x + R*unit, 0, from, away);
+                const label celli =
+                    geometry.find(x + R*points_[i], 0, home, away);
                 if (celli < 0)
                 {
                     continue;
@@ -245,6 +299,6 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
             }
             p.weight[met_[m].entry] += share;
         }
-        p.offset[i + 1] = p.weight.size();
+        p.offset[particle + 1] = p.weight.size();
     }
 }

@@ -222,12 +222,14 @@ void Foam::particleCoupling::judgeInterval(const scalar interval)
             change += mag(K[i] - oldK_[i]);
             sum += K[i];
         }
-        crossing = max(crossing, mag(p.velocity[i])/cbrt(mesh_.V()[p.cell[i]]));
+        // cubed: v^3/V
+        const scalar v2 = magSqr(p.velocity[i]);
+        crossing = max(crossing, v2*sqrt(v2)/mesh_.V()[p.cell[i]]);
         relaxations = max(relaxations, K[i]/p.mass[i]);
     }
     reduce(change, sumOp<scalar>());
     reduce(sum, sumOp<scalar>());
-    reduce(crossing, maxOp<scalar>());
+    crossing = cbrt(returnReduce(crossing, maxOp<scalar>()));
     reduce(relaxations, maxOp<scalar>());
     oldK_ = K;
     oldTag_ = p.tag;

@@ -238,26 +238,23 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
         const point& x = p.position[particle];
         const label home = p.cell[particle];
         const label start = p.weight.size();
-
-        if (home >= 0)
-        {
-            p.cellIndex.append(home);
-            p.weight.append(0);
-
-            if (geometry.outside(home, x) <= -reach_*p.radius[particle])
-            {
-                p.weight.last() = 1;
-                p.offset[particle + 1] = p.weight.size();
-                continue;
-            }
-        }
-
         const scalar R = p.radius[particle];
+
         planes_.clear();
         met_.clear();
         if (home >= 0)
         {
+            p.cellIndex.append(home);
+            p.weight.append(0);
             met_[meet(geometry, home, x, R)].entry = start;
+
+            if (planes_.empty())
+            {
+                // all points are within
+                p.weight.last() = 1;
+                p.offset[particle + 1] = p.weight.size();
+                continue;
+            }
             leave(R);
         }
 

@@ -44,6 +44,22 @@ void ContactPairs::add(int a, int b, double ra, double rb, const ContactLaw &law
   touched.push_back(t ? 1 : 0);
 }
 
+ContactLaw hookeLaw(double radius, double mass, double modulus, double speed, double restitution_log)
+{
+  const double hard = std::sqrt(radius) * modulus, e2 = restitution_log * restitution_log;
+  ContactLaw law;
+  law.kn = law.kt = 16.0 / 15.0 * hard * std::pow(15.0 * mass * speed * speed / (16.0 * hard), 0.2);
+  law.gamman = law.gammat = std::sqrt(4.0 * mass * law.kn * e2 / (e2 + M_PI * M_PI));
+  return law;
+}
+
+double WallShape::gap(const double *x) const
+{
+  if (!cylinder) return std::fabs(x[axis] - at);
+  const double a = x[(axis + 1) % 3] - centre[0], b = x[(axis + 2) % 3] - centre[1];
+  return std::fabs(std::sqrt(a * a + b * b) - at);
+}
+
 namespace {
 
 constexpr int BLOCK = 64;
@@ -53,6 +69,7 @@ constexpr int BLOCK = 64;
 struct Block {
   double x[3][BLOCK], v[3][BLOCK], wi[3][BLOCK], wj[3][BLOCK];
   double f[3][BLOCK], ti[3][BLOCK], tj[3][BLOCK];
+  double s[3][BLOCK], touched[BLOCK];  // at walls
 };
 
 // the arrays of one block of pairs
@@ -97,6 +114,40 @@ CLAY_INLINE void gather(Block &b, const ContactSpheres &s, const Slice &p, int n
     put(b.v, k, three(s.v + ia, s.v + ja), three(s.v + ib, s.v + jb));
     put(b.wi, k, three(s.omega + ia), three(s.omega + ib));
     put(b.wj, k, three(s.omega + ja), three(s.omega + jb));
+  }
+}
+
+// of i against the point of the wall that is nearest to it
+CLAY_INLINE void gather(Block &b, const ContactSpheres &s, const Slice &p, const WallShape &wall,
+                        const double *history, int n)
+{
+  const Three none = {Two{0, 0}, 0};
+  for (int k = 0; k < n; k += 2) {
+    const int l = std::min(k + 1, n - 1);
+    const std::size_t i = 3 * static_cast<std::size_t>(p.i[k]), j = 3 * static_cast<std::size_t>(p.i[l]);
+    put(b.x, k, three(s.x + i), three(s.x + j));
+    put(b.v, k, three(s.v + i), three(s.v + j));
+    put(b.wi, k, three(s.omega + i), three(s.omega + j));
+    put(b.wj, k, none, none);
+    put(b.s, k, three(history + i), three(history + j));
+    put(&b.touched[k], Two{0, 0});
+  }
+  double *x = b.x[wall.axis], *y = b.x[(wall.axis + 1) % 3], *z = b.x[(wall.axis + 2) % 3];
+  if (!wall.cylinder) {
+#pragma omp simd simdlen(8)
+    for (int k = 0; k < n; ++k) {
+      x[k] -= wall.at;
+      y[k] = z[k] = 0;
+    }
+    return;
+  }
+#pragma omp simd simdlen(8)
+  for (int k = 0; k < n; ++k) {
+    const double dy = y[k] - wall.centre[0], dz = z[k] - wall.centre[1];
+    const double r2 = dy * dy + dz * dz, r = std::sqrt(r2 > 1e-200 ? r2 : 1e-200), part = (r - wall.at) / r;
+    x[k] = 0;
+    y[k] = dy * part;
+    z[k] = dz * part;
   }
 }
 
@@ -179,6 +230,38 @@ CLAY_INLINE void scatter(const Block &b, const ContactSpheres &s, const Slice &p
   }
 }
 
+// returns how many touch
+CLAY_INLINE int scatter(const Block &b, const ContactSpheres &s, const Slice &p, double *history, int n)
+{
+  double touching = 0;
+  for (int k = 0; k < n; ++k) {
+    const std::size_t i = 3 * static_cast<std::size_t>(p.i[k]);
+    add(s.f + i, b.f, k, 1);
+    add(s.torque + i, b.ti, k, 1);
+    put(history + i, b.touched[k] * Two{b.s[0][k], b.s[1][k]});
+    history[i + 2] = b.touched[k] * b.s[2][k];
+    touching += b.touched[k];
+  }
+  return static_cast<int>(touching);
+}
+
+CLAY_CLONES int everyBlockAtWall(const ContactSpheres &spheres, ContactPairs &p, const WallShape &wall, double *history,
+                           double dt, double fresh, double least)
+{
+  alignas(64) Block b;
+  const int size = p.size();
+  int touching = 0;
+  for (int k = 0; k < size; k += BLOCK) {
+    const int n = std::min(BLOCK, size - k);
+    const Slice s = {&p.i[k], &p.j[k], &p.ri[k], &p.rj[k], &p.kn[k], &p.kt[k], &p.gamman[k], &p.gammat[k],
+                     &p.friction[k], &p.softness[k], b.s[0], b.s[1], b.s[2], b.touched};
+    gather(b, spheres, s, wall, history, n);
+    act(b, s, dt, fresh, least, n);
+    touching += scatter(b, spheres, s, history, n);
+  }
+  return touching;
+}
+
 CLAY_CLONES void everyBlock(const ContactSpheres &spheres, ContactPairs &p, double dt, double fresh, double least)
 {
   alignas(64) Block b;
@@ -193,11 +276,38 @@ CLAY_CLONES void everyBlock(const ContactSpheres &spheres, ContactPairs &p, doub
   }
 }
 
+CLAY_CLONES double farthest(const double *x, const double *was, int n)
+{
+  double most = 0;
+#pragma omp simd reduction(max : most)
+  for (int k = 0; k < n; ++k) most = std::max(most, std::fabs(x[k] - was[k]));
+  return most;
+}
+
 }  // namespace
+
+bool stayed(const double *x, const double *was, int n, double reach)
+{
+  // no point has gone farther than the root of 3 times the largest part of any
+  const double part = farthest(x, was, 3 * n);
+  if (3 * part * part < reach * reach) return true;
+  double most = 0;
+  for (int k = 0; k < 3 * n; k += 3) {
+    const double dx = x[k] - was[k], dy = x[k + 1] - was[k + 1], dz = x[k + 2] - was[k + 2];
+    most = std::max(most, dx * dx + dy * dy + dz * dz);
+  }
+  return most < reach * reach;
+}
 
 void contactForces(const ContactSpheres &spheres, ContactPairs &pairs, double dt, bool update, bool limit)
 {
   everyBlock(spheres, pairs, update ? dt : 0.0, update ? 1.0 : 0.0, limit ? 0.0 : -HUGE_VAL);
+}
+
+int wallForces(const ContactSpheres &spheres, ContactPairs &pairs, const WallShape &wall, double *history,
+               double dt, bool update, bool limit)
+{
+  return everyBlockAtWall(spheres, pairs, wall, history, update ? dt : 0.0, update ? 1.0 : 0.0, limit ? 0.0 : -HUGE_VAL);
 }
 
 }  // namespace clay

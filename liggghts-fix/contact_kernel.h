@@ -14,6 +14,11 @@ struct ContactLaw {
   double friction = 0;            ///< coefficient [1]
 };
 
+/// Model hooke: for an effective radius [m] and mass [kg], a modulus Y [Pa] and a speed v [m/s]
+/// kn = 16/15 sqrt(R) Y (15 m v^2/(16 sqrt(R) Y))^(1/5), and the damping that gives the
+/// coefficient of restitution of that logarithm; kt = kn, gammat = gamman, no friction.
+ContactLaw hookeLaw(double radius, double mass, double modulus, double speed, double restitution_log);
+
 /// Spheres, three numbers each.
 struct ContactSpheres {
   const double *x, *v, *omega;  ///< positions [m], velocities [m/s], angular velocities [1/s]
@@ -41,5 +46,25 @@ struct ContactPairs {
 /// With `update` the displacements s grow by vt dt [s], turn with the contact
 /// and give way where it slides.
 void contactForces(const ContactSpheres &spheres, ContactPairs &pairs, double dt, bool update, bool limit);
+
+/// A plane across an axis (0 to 2), or a cylinder about it.
+struct WallShape {
+  int axis = 0;
+  bool cylinder = false;
+  double at = 0;             ///< the plane's place, the cylinder's radius [m]
+  double centre[2] = {0, 0}; ///< of the cylinder, on the two axes that follow [m]
+
+  /// Distance of a point from the wall [m].
+  double gap(const double *x) const;
+};
+
+/// The same for spheres i of the pairs at a wall at rest, which stands for j; all of them are
+/// owned. `history` holds three displacements for each sphere in place of sx, sy, sz; they
+/// are 0 where it does not touch. Returns the number of spheres that do.
+int wallForces(const ContactSpheres &spheres, ContactPairs &pairs, const WallShape &wall, double *history,
+               double dt, bool update, bool limit);
+
+/// Whether none of n points x, three numbers each, is as far as `reach` [m] from where it was.
+bool stayed(const double *x, const double *was, int n, double reach);
 
 }  // namespace clay

@@ -2,12 +2,15 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
    A sphere at a wall is a pair of the sphere and a point of no size on the
-   wall: the pairs of a step go through gran/lean's kernel together.
+   wall. Pairs are kept with what their law says, so that a step has only to
+   see whether another sphere has come to touch.
 ------------------------------------------------------------------------- */
 
 #include "fix_wall_gran_lean.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
@@ -23,18 +26,29 @@
 
 using namespace LAMMPS_NS;
 
+namespace {
+
+const double ROUNDING = 1.0e-12;
+const double AHEAD = 0.02;      // spheres this close, over the radius, are made pairs with those that touch
+enum { MANY = 32, SELDOM = 100 };
+
+}
+
 /* ---------------------------------------------------------------------- */
 
 FixWallGranLean::FixWallGranLean(LAMMPS *lmp, int narg, char **arg) :
   FixWallGran(lmp,narg,arg),
-  tangential_damping_(true), absolute_damping_(false), limit_force_(false),
-  kn_(NULL), kt_(NULL), gamman_(NULL), gammat_(NULL), friction_(NULL), looked_(0), touched_(0)
+  modulus_given_(false), tangential_damping_(true), absolute_damping_(false), limit_force_(false), softer_(false),
+  kn_(NULL), kt_(NULL), gamman_(NULL), gammat_(NULL), friction_(NULL),
+  modulus_(NULL), restitution_log_(NULL), speed_(0.0),
+  listed_(false), tidied_(0), looked_(0), touched_(0)
 {
   vector_flag = 1;
   size_vector = 2;
   global_freq = 1;
   extvector = 0;
   read_model(narg,arg);
+  read_shape(narg,arg);
 }
 
 /* ----------------------------------------------------------------------
@@ -48,19 +62,22 @@ void FixWallGranLean::read_model(int narg, char **arg)
     {"rolling_friction", "off", true}, {"cohesion", "off", true}, {"surface", "default", true} };
   struct { const char *name; bool *on; } switches[] = {
     {"tangential_damping", &tangential_damping_}, {"absolute_damping", &absolute_damping_},
-    {"limitForce", &limit_force_} };
+    {"limitForce", &limit_force_}, {"ktToKnUser", &softer_} };
 
+  for (int i = 3; i + 1 < narg; i++)
+    modulus_given_ |= !strcmp(arg[i],"model") && !strcmp(arg[i+1],"hooke");
+  if (modulus_given_) models[0].value = "hooke";
   for (int i = 3; i + 1 < narg; i++) {
     for (auto &m : models)
       if (!strcmp(arg[i],m.name)) {
         if (strcmp(arg[i+1],m.value))
           error->all(FLERR,(std::string("Fix wall/gran/lean: '") + m.name + " " + arg[i+1] + "' is not among what it can do: "
-                            "model hooke/stiffness tangential history primitive ...; for anything else take fix wall/gran").c_str());
+                            "model hooke/stiffness or hooke, tangential history primitive ...; for anything else take fix wall/gran").c_str());
         m.given = true;
       }
     for (auto &s : switches)
       if (!strcmp(arg[i],s.name)) *s.on = !strcmp(arg[i+1],"on");
-    for (const char *odd : {"computeElasticPotential", "computeDissipatedEnergy", "heating_tangential_history"})
+    for (const char *odd : {"computeElasticPotential", "computeDissipatedEnergy", "heating_tangential_history", "viscous", "disableWhenBonded"})
       if (!strcmp(arg[i],odd) && !strcmp(arg[i+1],"on"))
         error->all(FLERR,(std::string("Fix wall/gran/lean: ") + odd + " needs fix wall/gran").c_str());
   }
@@ -71,17 +88,39 @@ void FixWallGranLean::read_model(int narg, char **arg)
     error->all(FLERR,"Fix wall/gran/lean: a primitive wall is needed; for a mesh take fix wall/gran");
 }
 
+/* ----------------------------------------------------------------------
+   as wall/gran has read it: primitive type T shape numbers
+------------------------------------------------------------------------- */
+
+void FixWallGranLean::read_shape(int narg, char **arg)
+{
+  int i = 3;
+  while (i < narg && strcmp(arg[i],"primitive")) i++;
+  const char *name = arg[i+3];
+  shape_.axis = name[0] - 'x';
+  shape_.cylinder = !strcmp(name+1,"cylinder");
+  shape_.at = atof(arg[i+4]);
+  for (int k = 0; shape_.cylinder && k < 2; k++) shape_.centre[k] = atof(arg[i+5+k]);
+}
+
 /* ---------------------------------------------------------------------- */
 
 void FixWallGranLean::init()
 {
   FixWallGran::init();
   const char *who = "fix wall/gran/lean";
+  force->registry.connect("coeffFrict",friction_,who);
+  listed_ = false;
+  if (modulus_given_) {
+    force->registry.connect("Yeff",modulus_,who);
+    force->registry.connect("charVel",speed_,who);
+    force->registry.connect("coeffRestLog",restitution_log_,who);
+    return;
+  }
   force->registry.connect("k_n",kn_,who);
   force->registry.connect("k_t",kt_,who);
   force->registry.connect(absolute_damping_ ? "gamman_abs" : "gamman",gamman_,who);
   force->registry.connect(absolute_damping_ ? "gammat_abs" : "gammat",gammat_,who);
-  force->registry.connect("coeffFrict",friction_,who);
 }
 
 /* ----------------------------------------------------------------------
@@ -98,94 +137,116 @@ bool FixWallGranLean::lean_step() const
 
 /* ---------------------------------------------------------------------- */
 
-void FixWallGranLean::post_force_primitive(int vflag)
+clay::ContactLaw FixWallGranLean::law(int i) const
 {
-  if (!lean_step()) {
-    FixWallGran::post_force_primitive(vflag);
-    return;
+  const int a = atom->type[i], b = atom_type_wall_;
+  clay::ContactLaw law;
+  if (modulus_given_) {
+    law = clay::hookeLaw(radius_[i],rmass_[i],modulus_[a][b],speed_,restitution_log_[a][b]);
+    law.kn /= force->nktv2p;
+    law.kt = softer_ ? 0.285714286*law.kn : law.kn;
+  } else {
+    const double moving = absolute_damping_ ? 1.0 : rmass_[i];
+    law.kn = kn_[a][b]/force->nktv2p;
+    law.kt = kt_[a][b]/force->nktv2p;
+    law.gamman = moving*gamman_[a][b];
+    law.gammat = moving*gammat_[a][b];
   }
-  gather();
-  const int n = pairs_.size();
-  touched_ += n;
-  if (n == 0) return;
-  const clay::ContactSpheres spheres = { x_near_.data(), v_near_.data(), omega_near_.data(),
-                                         f_near_.data(), torque_near_.data(), n };
-  clay::contactForces(spheres,pairs_,update->dt,shearupdate_,limit_force_);
-  scatter();
-}
-
-/* ----------------------------------------------------------------------
-   spheres that touch come first, the points of the wall after them
-------------------------------------------------------------------------- */
-
-void FixWallGranLean::gather()
-{
-  int *near;
-  const int nnear = primitiveWall_->getNeighbors(near);
-  looked_ += nnear;
-  double **history = fix_history_primitive_->array_atom, **v = atom->v, **omega = atom->omega;
-
-  atom_.resize(nnear);
-  wall_.resize(3*nnear);
-  int n = 0;
-  for (int k = 0; k < nnear; k++) {
-    const int i = near[k];
-    if (!(atom->mask[i] & groupbit)) continue;
-    double *delta = &wall_[3*n];
-    if (primitiveWall_->resolveContact(x_[i],radius_[i],delta) > 0.) {
-      history[i][0] = history[i][1] = history[i][2] = 0.;
-      continue;
-    }
-    for (int d = 0; d < 3; d++) delta[d] += x_[i][d];
-    atom_[n++] = i;
-  }
-
-  pairs_.resize(n);
-  for (auto *a : {&x_near_, &v_near_, &omega_near_}) a->resize(6*n);
-  for (int k = 0; k < n; k++) {
-    const int i = atom_[k], a = atom->type[i], b = atom_type_wall_;
-    const double moving = absolute_damping_ ? 1.0 : rmass_[i], kt = kt_[a][b]/force->nktv2p;
-    pairs_.i[k] = k;
-    pairs_.j[k] = n + k;
-    pairs_.ri[k] = radius_[i];
-    pairs_.rj[k] = 0.;
-    pairs_.kn[k] = kn_[a][b]/force->nktv2p;
-    pairs_.kt[k] = kt;
-    pairs_.softness[k] = 1./kt;
-    pairs_.gamman[k] = moving*gamman_[a][b];
-    pairs_.gammat[k] = tangential_damping_ ? moving*gammat_[a][b] : 0.;
-    pairs_.friction[k] = friction_[a][b];
-    pairs_.sx[k] = history[i][0];
-    pairs_.sy[k] = history[i][1];
-    pairs_.sz[k] = history[i][2];
-    pairs_.touched[k] = 1.;
-    for (int d = 0; d < 3; d++) {
-      x_near_[3*k+d] = x_[i][d];
-      v_near_[3*k+d] = v[i][d];
-      omega_near_[3*k+d] = omega[i][d];
-      x_near_[3*(n+k)+d] = wall_[3*k+d];
-      v_near_[3*(n+k)+d] = omega_near_[3*(n+k)+d] = 0.;
-    }
-  }
-  f_near_.assign(3*n,0.);
-  torque_near_.assign(3*n,0.);
+  if (!tangential_damping_) law.gammat = 0.0;
+  law.friction = friction_[a][b];
+  return law;
 }
 
 /* ---------------------------------------------------------------------- */
 
-void FixWallGranLean::scatter()
+void FixWallGranLean::pre_force(int vflag)
 {
+  if (rebuildPrimitiveNeighlist_) listed_ = false;
+  FixWallGran::pre_force(vflag);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixWallGranLean::list()
+{
+  int *spheres;
+  const int n = primitiveWall_->getNeighbors(spheres);
   double **history = fix_history_primitive_->array_atom;
-  for (int k = 0; k < pairs_.size(); k++) {
-    const int i = atom_[k];
-    for (int d = 0; d < 3; d++) {
-      atom->f[i][d] += f_near_[3*k+d];
-      atom->torque[i][d] += torque_near_[3*k+d];
-    }
-    history[i][0] = pairs_.sx[k];
-    history[i][1] = pairs_.sy[k];
-    history[i][2] = pairs_.sz[k];
+  near_.clear();
+  pairs_.clear();
+  for (int k = 0; k < n; k++) {
+    const int i = spheres[k];
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double r = radius_[i], inner = std::max(0.0,shape_.at - r), outer = shape_.at + r;
+    if (shape_.cylinder) near_.push_back({i,r,rmass_[i],(1.0 - ROUNDING)*inner*inner,(1.0 + ROUNDING)*outer*outer});
+    else near_.push_back({i,r,rmass_[i],0.0,(1.0 + ROUNDING)*r});
+    if (shape_.gap(x_[i]) > r) history[i][0] = history[i][1] = history[i][2] = 0.0;
   }
+  add_touching();
+  listed_ = true;
+  tidied_ = update->ntimestep;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixWallGranLean::add_touching()
+{
+  const double none[3] = {0.0, 0.0, 0.0};
+  for (Near &s : near_) {
+    if (s.to < 0.0 || shape_.gap(x_[s.atom]) > (1.0 + AHEAD)*s.radius) continue;
+    pairs_.add(s.atom,s.atom,s.radius,0.0,law(s.atom),none,false);
+    s.from = HUGE_VAL;
+    s.to = -1.0;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   whether a sphere that is not among the pairs touches; changed is set where
+   one is not the one it was
+------------------------------------------------------------------------- */
+
+bool FixWallGranLean::meets(bool &changed) const
+{
+  int meet = 0, other = 0;
+  const int a = shape_.axis, b = (a+1)%3, c = (a+2)%3;
+  const double *x = x_[0], at = shape_.at, cb = shape_.centre[0], cc = shape_.centre[1];
+  if (shape_.cylinder)
+    for (const Near &s : near_) {
+      const double *p = x + 3*s.atom, db = p[b] - cb, dc = p[c] - cc, d2 = db*db + dc*dc;
+      meet |= (d2 >= s.from) & (d2 <= s.to);
+      other |= (radius_[s.atom] != s.radius) | (rmass_[s.atom] != s.mass);
+    }
+  else
+    for (const Near &s : near_) {
+      meet |= fabs(x[3*s.atom+a] - at) <= s.to;
+      other |= (radius_[s.atom] != s.radius) | (rmass_[s.atom] != s.mass);
+    }
+  changed = other;
+  return meet;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixWallGranLean::post_force_primitive(int vflag)
+{
+  if (!lean_step()) {
+    FixWallGran::post_force_primitive(vflag);
+    listed_ = false;
+    return;
+  }
+  bool changed = false;
+  if (listed_ && meets(changed)) add_touching();
+  if (!listed_ || changed) list();
+  looked_ += near_.size();
+  if (pairs_.size() == 0) return;
+
+  const clay::ContactSpheres spheres = { atom->x[0], atom->v[0], atom->omega[0],
+                                         atom->f[0], atom->torque[0], atom->nlocal };
+  const int touching = clay::wallForces(spheres,pairs_,shape_,fix_history_primitive_->array_atom[0],
+                                        update->dt,shearupdate_,limit_force_);
+  touched_ += touching;
+  // many that have left
+  if (pairs_.size() > 2*touching + MANY && update->ntimestep > tidied_ + SELDOM) listed_ = false;
 }
 
 /* ----------------------------------------------------------------------
@@ -199,5 +260,5 @@ double FixWallGranLean::compute_vector(int n)
 
 double FixWallGranLean::memory_usage()
 {
-  return FixWallGran::memory_usage() + pairs_.size()*33.0*sizeof(double);
+  return FixWallGran::memory_usage() + pairs_.size()*13.0*sizeof(double) + near_.size()*sizeof(Near);
 }

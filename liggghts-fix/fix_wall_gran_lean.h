@@ -1,9 +1,9 @@
 /* ----------------------------------------------------------------------
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
-   The contact model hooke/stiffness with tangential history of fix wall/gran
-   at primitive walls, in the loop of pair_style gran/lean. All else is
-   wall/gran's.
+   The contact models hooke/stiffness and hooke with tangential history of fix
+   wall/gran at primitive walls, in a loop like that of pair_style gran/lean.
+   All else is wall/gran's.
 ------------------------------------------------------------------------- */
 
 #ifdef FIX_CLASS
@@ -30,21 +30,35 @@ class FixWallGranLean : public FixWallGran {
   double memory_usage();
 
  protected:
+  void pre_force(int vflag);
   void post_force_primitive(int);
 
  private:
+  struct Near {
+    int atom;
+    double radius, mass;         // when it was listed
+    double from, to;             // plane: not used, gap; cylinder: squared distances
+                                 // from its axis, in which it touches; none once in pairs_
+  };
+
   void read_model(int narg, char **arg);
+  void read_shape(int narg, char **arg);
   bool lean_step() const;
-  void gather();
-  void scatter();
+  void list();
+  void add_touching();
+  bool meets(bool &changed) const;
+  clay::ContactLaw law(int i) const;
 
-  bool tangential_damping_, absolute_damping_, limit_force_;
+  bool modulus_given_;           // model hooke: stiffness from Young's modulus
+  bool tangential_damping_, absolute_damping_, limit_force_, softer_;
   double **kn_, **kt_, **gamman_, **gammat_, **friction_;
+  double **modulus_, **restitution_log_, speed_;  // of model hooke
 
-  clay::ContactPairs pairs_;     // spheres that touch, each with its point of the wall
-  std::vector<int> atom_;        // which they are
-  std::vector<double> wall_;     // and those points
-  std::vector<double> x_near_, v_near_, omega_near_, f_near_, torque_near_;
+  clay::WallShape shape_;
+  std::vector<Near> near_;       // wall/gran's list of spheres near the wall
+  clay::ContactPairs pairs_;     // those of them that touch, have touched or are about to
+  bool listed_;
+  bigint tidied_;                // step at which pairs_ was begun anew
   bigint looked_, touched_;      // spheres near the wall and at it, all steps
 };
 

@@ -159,5 +159,5 @@ void PairGranLean::hand_back_history()
 double PairGranLean::memory_usage()
 {
   return PairGranProxy::memory_usage() + pairs_.size()*(4.0*sizeof(int *) + 12.0*sizeof(double))
-         + seen_.size()*sizeof(double);
+         + 5.0*seen_mass_.size()*sizeof(double);
 }

@@ -56,7 +56,7 @@ class PairGranLean : public PairGranProxy {
   clay::ContactPairs pairs_;
   std::vector<double *> kept_;      // where gran keeps each pair's displacement
   std::vector<int *> flag_;         // and that it has touched
-  std::vector<double> seen_;        // x, y, z, radius, mass of all atoms at the last search
+  std::vector<double> seen_x_, seen_radius_, seen_mass_;  // of all atoms at the last search
   double margin_;                   // gap up to which pairs were taken [m]
   bool sought_;                     // the pairs are those of the present list
   bigint built_;                    // time step of the list they are of

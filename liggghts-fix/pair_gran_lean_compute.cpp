@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "atom.h"
 #include "force.h"
@@ -21,7 +22,6 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-enum { SEEN = 5 };              // numbers of an atom that are compared
 const double STEPS = 25.0;      // aimed at between two searches
 const double LEAST = 1.0e-3;    // smallest and largest margin over the radius
 const double MOST = 0.2;
@@ -52,16 +52,12 @@ clay::ContactLaw PairGranLean::law(int i, int j) const
   clay::ContactLaw law;
   law.friction = friction_[a][b];
   if (modulus_given_) {
-    // 16/15 sqrt(R) Y (15 m v^2/(16 sqrt(R) Y))^(1/5), as gran has it; the
-    // damping that gives the coefficient of restitution
     const double ri = atom->radius[i], rj = atom->radius[j];
-    const double hard = sqrt(ri*rj/(ri + rj))*modulus_[a][b];
-    const double k = 16.0/15.0*hard*pow(15.0*moving*speed_*speed_/(16.0*hard),0.2);
-    const double e2 = restitution_log_[a][b]*restitution_log_[a][b];
-    law.kn = k/force->nktv2p;
+    law = clay::hookeLaw(ri*rj/(ri + rj),moving,modulus_[a][b],speed_,restitution_log_[a][b]);
+    law.friction = friction_[a][b];
+    law.kn /= force->nktv2p;
     law.kt = softer_ ? 0.285714286*law.kn : law.kn;
-    law.gamman = sqrt(4.0*moving*k*e2/(e2 + M_PI*M_PI));
-    law.gammat = tangential_damping_ ? law.gamman : 0.0;
+    if (!tangential_damping_) law.gammat = 0.0;
     return law;
   }
   if (absolute_damping_) moving = 1.0;
@@ -80,17 +76,11 @@ bool PairGranLean::pairs_hold()
 {
   const int nall = atom->nlocal + atom->nghost;
   if (!sought_ || built_ != neighbor->lastcall || inum_ != list->inum ||
-      seen_.size() != static_cast<std::size_t>(SEEN)*nall) return false;
-  const double far2 = 0.25*margin_*margin_;
-  double largest = 0.0;
-  bool changed = false;
-  for (int i = 0; i < nall; i++) {
-    const double *x = atom->x[i], *s = &seen_[static_cast<std::size_t>(SEEN)*i];
-    const double dx = x[0] - s[0], dy = x[1] - s[1], dz = x[2] - s[2];
-    largest = std::max(largest,dx*dx + dy*dy + dz*dz);
-    changed |= (atom->radius[i] != s[3]) | (atom->rmass[i] != s[4]);
-  }
-  return largest < far2 && !changed;
+      seen_mass_.size() != static_cast<std::size_t>(nall)) return false;
+  return nall == 0 ||
+         (!std::memcmp(seen_radius_.data(),atom->radius,nall*sizeof(double)) &&
+          !std::memcmp(seen_mass_.data(),atom->rmass,nall*sizeof(double)) &&
+          clay::stayed(atom->x[0],seen_x_.data(),nall,0.5*margin_));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -103,10 +93,10 @@ void PairGranLean::seek_pairs()
   const int nall = atom->nlocal + atom->nghost;
 
   double fastest2 = 0.0, largest = 0.0;
-  seen_.resize(static_cast<std::size_t>(SEEN)*nall);
+  if (nall) seen_x_.assign(x[0],x[0] + static_cast<std::size_t>(3)*nall);
+  seen_radius_.assign(radius,radius + nall);
+  seen_mass_.assign(atom->rmass,atom->rmass + nall);
   for (int i = 0; i < nall; i++) {
-    const double state[SEEN] = { x[i][0], x[i][1], x[i][2], radius[i], atom->rmass[i] };
-    std::copy(state,state+SEEN,&seen_[static_cast<std::size_t>(SEEN)*i]);
     fastest2 = std::max(fastest2,v[i][0]*v[i][0] + v[i][1]*v[i][1] + v[i][2]*v[i][2]);
     largest = std::max(largest,radius[i]);
   }

@@ -7,10 +7,10 @@
 namespace clay {
 namespace {
 
-// share of a sphere's volume below its centre's height plus h
-double capShare(double h, double r)
+// share of a sphere's volume below its centre's height plus t radii
+double capShare(double t)
 {
-  const double t = std::clamp(h / r, -1.0, 1.0);
+  t = std::clamp(t, -1.0, 1.0);
   return 0.25 * (t + 1) * (t + 1) * (2 - t);
 }
 
@@ -20,6 +20,7 @@ SettlingProfile::SettlingProfile(double lo, double hi, double thickness) : lo_(l
 {
   const int n = std::max(1, static_cast<int>(std::ceil((hi - lo) / thickness)));
   width_ = (hi - lo) / n;
+  per_width_ = 1 / width_;
   sums_.assign(n + 1, 0.0);
 }
 
@@ -29,15 +30,17 @@ void SettlingProfile::add(double z, double r, double volume)
 {
   sums_.back() += volume * z;
   const auto bin = [this](double h) {
-    return static_cast<int>(std::clamp(std::floor((h - lo_) / width_), 0.0, bins() - 1.0));
+    return static_cast<int>(std::clamp((h - lo_) * per_width_, 0.0, bins() - 1.0));
   };
   const int first = bin(z - r), last = bin(z + r);
+  const double per_radius = 1 / r;
   double before = 0;
-  for (int k = first; k <= last; ++k) {
-    const double now = k == last ? 1 : capShare(lo_ + (k + 1) * width_ - z, r);
+  for (int k = first; k < last; ++k) {
+    const double now = capShare((lo_ + (k + 1) * width_ - z) * per_radius);
     sums_[k] += volume * (now - before);
     before = now;
   }
+  sums_[last] += volume * (1 - before);
 }
 
 double SettlingProfile::volume() const

@@ -48,7 +48,7 @@ class SettlingProfile {
   int bins() const { return static_cast<int>(sums_.size()) - 1; }
   double below(double height) const;
 
-  double lo_, width_;
+  double lo_, width_, per_width_;
   std::vector<double> sums_;
   mutable std::vector<double> cumulated_;
 };

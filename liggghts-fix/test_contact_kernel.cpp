@@ -144,3 +144,17 @@ TEST(ContactKernel, whatIsThereStays)
   EXPECT_EQ(s.pairs.touched[0], 1);
   EXPECT_EQ(s.pairs.sx[0], before);
 }
+
+TEST(ContactKernel, knowsWhetherAPointHasLeftItsPlace)
+{
+  const int n = 37;
+  const std::vector<double> was(3 * n, 0.25);
+  for (int i : {0, 8, n - 1})
+    for (const Vector3d &way : {Vector3d(1, 0, 0), Vector3d(0, 0, -1), Vector3d(1, -1, 1), Vector3d(-1, 2, 0.5)}) {
+      std::vector<double> x = was;
+      for (double length : {0.99e-3, 1.01e-3}) {
+        Eigen::Map<Vector3d>(&x[3 * i]) = Vector3d::Constant(0.25) + length * way.normalized();
+        EXPECT_EQ(stayed(x.data(), was.data(), n, 1e-3), length < 1e-3);
+      }
+    }
+}

@@ -153,7 +153,8 @@ TEST(ContactKernel, knowsWhetherAPointHasLeftItsPlace)
     for (const Vector3d &way : {Vector3d(1, 0, 0), Vector3d(0, 0, -1), Vector3d(1, -1, 1), Vector3d(-1, 2, 0.5)}) {
       std::vector<double> x = was;
       for (double length : {0.99e-3, 1.01e-3}) {
-        Eigen::Map<Vector3d>(&x[3 * i]) = Vector3d::Constant(0.25) + length * way.normalized();
+        const Vector3d to = Vector3d::Constant(0.25) + length * way.normalized();
+        std::copy(to.data(), to.data() + 3, x.begin() + 3 * i);
         EXPECT_EQ(stayed(x.data(), was.data(), n, 1e-3), length < 1e-3);
       }
     }

@@ -8,8 +8,6 @@
 #include "uniformDimensionedFields.H"
 #include "zeroGradientFvPatchFields.H"
 
-#include <iomanip>
-#include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -364,46 +362,6 @@ void Foam::particleCoupling::checkFields() const
                 FatalErrorInFunction << text.c_str() << exit(FatalError);
             }
         }
-    }
-}
-
-
-void Foam::particleCoupling::warnOfInterval()
-{
-    const auto number = [](const scalar x)
-    {
-        std::ostringstream os;
-        os << std::setprecision(2) << x;
-        return os.str();
-    };
-
-    if (stats_.dragChange > 0.1*stats_.dragSum)
-    {
-        stats_.warn
-        (
-            "the drag coefficients change by "
-          + number(100*stats_.dragChange/stats_.dragSum)
-          + " % in a coupling interval on the mean, and are held in it: the"
-            " drag is off by half of that; a shorter interval resolves it"
-        );
-    }
-    if (stats_.crossing > 0.5)
-    {
-        stats_.warn
-        (
-            "particles cross up to " + number(stats_.crossing)
-          + " cells in a coupling interval: void fraction and drag lag behind"
-            " by as much"
-        );
-    }
-    if (stats_.relaxations > 1)
-    {
-        stats_.warn
-        (
-            "the coupling interval is up to " + number(stats_.relaxations)
-          + " times a particle's relaxation time: changes of the fluid's"
-            " velocity within it reach the particle at its end"
-        );
     }
 }
 

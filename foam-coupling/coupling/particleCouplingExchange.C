@@ -3,7 +3,6 @@
 #include "particleCoupling.H"
 
 #include "fvc.H"
-#include "mathematicalConstants.H"
 
 #include <algorithm>
 
@@ -156,88 +155,6 @@ void Foam::particleCoupling::map()
             "more solid than voidFractionMin leaves room for; n is below it"
         );
     }
-}
-
-
-Foam::scalar Foam::particleCoupling::elapsed() const
-{
-    const scalar step = session_->peer().step;
-    return std::round((session_->time() - time_)/step)*step;
-}
-
-
-void Foam::particleCoupling::foretell(const scalar interval)
-{
-    const dispersedParticles& p = particles_;
-    scalar crossing = 0;
-    forAll(p.owned, i)
-    {
-        if (!p.owned[i])
-        {
-            continue;
-        }
-        // weight without buoyancy = 3 pi mu d v (1 + 0.15 Re^0.687)
-        const scalar d = 2*p.radius[i];
-        const scalar stokes =
-            mag(p.mass[i] - rho_*p.volume[i])*mag(gravity_)
-           /(3*constant::mathematical::pi*rho_*nu_*d);
-        scalar v = stokes;
-        for (label k = 0; k < 40; ++k)
-        {
-            v = sqrt(v*stokes/(1 + 0.15*pow(v*d/nu_, 0.687)));
-        }
-        crossing = max(crossing, v/cbrt(mesh_.V()[p.cell[i]]));
-    }
-    crossing = returnReduce(crossing, maxOp<scalar>())*interval;
-
-    if (crossing > 1)
-    {
-        Info<< "clayFoam: warning: a particle that settles by itself crosses "
-            << crossing << " cells in the coupling interval of " << interval
-            << " s; " << interval/crossing << " s would be one" << endl;
-    }
-}
-
-
-void Foam::particleCoupling::judgeInterval(const scalar interval)
-{
-    const dispersedParticles& p = particles_;
-    const scalarField& K = forces_.K;
-
-    if (stats_.exchanges == 1)
-    {
-        foretell(interval);
-    }
-
-    // by places in the list: a particle that has moved in it is passed over
-    scalar change = 0, sum = 0, crossing = 0, relaxations = 0;
-    forAll(K, i)
-    {
-        if (!p.owned[i])
-        {
-            continue;
-        }
-        if (i < oldTag_.size() && oldTag_[i] == p.tag[i])
-        {
-            change += mag(K[i] - oldK_[i]);
-            sum += K[i];
-        }
-        // cubed: v^3/V
-        const scalar v2 = magSqr(p.velocity[i]);
-        crossing = max(crossing, v2*sqrt(v2)/mesh_.V()[p.cell[i]]);
-        relaxations = max(relaxations, K[i]/p.mass[i]);
-    }
-    reduce(change, sumOp<scalar>());
-    reduce(sum, sumOp<scalar>());
-    crossing = cbrt(returnReduce(crossing, maxOp<scalar>()));
-    reduce(relaxations, maxOp<scalar>());
-    oldK_ = K;
-    oldTag_ = p.tag;
-
-    stats_.dragChange += change;
-    stats_.dragSum += sum;
-    stats_.crossing = max(stats_.crossing, crossing*interval);
-    stats_.relaxations = max(stats_.relaxations, relaxations*interval);
 }
 
 

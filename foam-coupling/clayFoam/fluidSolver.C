@@ -158,6 +158,11 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
     nPhi_("nPhi", phi_),
     pRefCell_(0),
     pRefValue_(0),
+    correctorTolerance_
+    (
+        pimple_.dict().lookupOrDefault<scalar>("correctorTolerance", 0)
+    ),
+    correctors_(0),
     fresh_(true),
     faces_(mesh),
     sourceFaces_(mesh.nFaces(), Zero),
@@ -296,6 +301,8 @@ Foam::dictionary Foam::fluidSolver::settings() const
     }
     dict.add("turbulence", turbulence_->type());
     dict.add("nCorrectors", pimple_.nCorrPISO());
+    dict.add("correctorTolerance", correctorTolerance_);
+    dict.add("correctors", correctors_);
 
     return dict;
 }

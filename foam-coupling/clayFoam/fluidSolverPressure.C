@@ -270,7 +270,14 @@ void Foam::fluidSolver::correctPressure
         fvScalarMatrix& pEqn = tpEqn.constCast();
 
         pEqn.setReference(pRefCell_, pRefValue_);
-        pEqn.solve(mesh_.solver(p_.select(pimple_.finalInnerIter())));
+        // with a tolerance each corrector may be the last
+        const bool final =
+            pimple_.finalInnerIter()
+         || (
+                correctorTolerance_ > 0
+             && pimple_.finalNonOrthogonalIter()
+            );
+        pEqn.solve(mesh_.solver(p_.select(final)));
 
         if (pimple_.finalNonOrthogonalIter())
         {

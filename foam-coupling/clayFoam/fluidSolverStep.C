@@ -144,6 +144,61 @@ void Foam::fluidSolver::predict
 }
 
 
+Foam::scalar Foam::fluidSolver::neighbours(const fvVectorMatrix& UEqn) const
+{
+    const labelUList& own = mesh_.owner();
+    const labelUList& nei = mesh_.neighbour();
+    const scalarField& lower = UEqn.lower();
+    const scalarField& upper = UEqn.upper();
+
+    scalarField sum(mesh_.nCells(), Zero);
+    forAll(nei, f)
+    {
+        sum[own[f]] += mag(upper[f]);
+        sum[nei[f]] += mag(lower[f]);
+    }
+    faces_.patches([&](const label patchi, const fvPatch& patch)
+    {
+        if (patch.coupled())
+        {
+            const labelUList& inside = patch.faceCells();
+            forAll(inside, i)
+            {
+                sum[inside[i]] +=
+                    cmptMax(cmptMag(UEqn.boundaryCoeffs()[patchi][i]));
+            }
+        }
+    });
+
+    scalar largest = 0;
+    forAll(sum, celli)
+    {
+        largest = max(largest, sum[celli]/(mesh_.V()[celli]*A_[celli]));
+    }
+    return returnReduce(largest, maxOp<scalar>());
+}
+
+
+bool Foam::fluidSolver::settled
+(
+    const vectorField& before,
+    const scalar spread
+) const
+{
+    const vectorField& U = U_.primitiveField();
+    scalar change = 0, largest = 0;
+    forAll(U, celli)
+    {
+        change = max(change, magSqr(U[celli] - before[celli]));
+        largest = max(largest, magSqr(U[celli]));
+    }
+    reduce(change, maxOp<scalar>());
+    reduce(largest, maxOp<scalar>());
+
+    return spread*sqrt(change) <= correctorTolerance_*sqrt(largest);
+}
+
+
 void Foam::fluidSolver::step(particleCoupling& coupling)
 {
     fv::options& fvOptions = fv::options::New(mesh_);
@@ -169,11 +224,23 @@ void Foam::fluidSolver::step(particleCoupling& coupling)
         }
 
         prepareCorrectors(coupling, UEqn);
+        const scalar spread = correctorTolerance_ > 0 ? neighbours(UEqn) : 0;
+        bool enough = false;
         while (pimple_.correct())
         {
+            if (enough)
+            {
+                continue;
+            }
+            const vectorField before
+            (
+                correctorTolerance_ > 0 ? U_.primitiveField() : vectorField()
+            );
             correctPressure(coupling, ddtN, UEqn);
             coupling.checkFields();
             fvOptions.correct(U_);
+            enough = correctorTolerance_ > 0 && settled(before, spread);
+            ++correctors_;
         }
         coupling.setPressureGradient(gradP_);
 

@@ -10,6 +10,8 @@
 #include "terms.h"
 #include "world.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cctype>
@@ -106,6 +108,11 @@ Foam::startUp::startUp(int argc, char** argv)
     argvPtr_(nullptr),
     args_(nullptr)
 {
+    // the fields of a step are given back to this program, not to the system
+    ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
+    ::mallopt(M_TOP_PAD, 4 << 20);
+
     // a number that is none is found and named (particleCoupling), not trapped
     ::setenv("FOAM_SIGFPE", "false", 0);
 

@@ -2,8 +2,6 @@
 #include "charge_tiles.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <type_traits>
 
 #include "clones.h"
 #include "inv_sqrt.h"
@@ -32,28 +30,19 @@ template struct ChargeTiles<double>;
 
 namespace {
 
-template <class Real>
-union alignas(64) Lane {
-  typename ChargeTiles<Real>::Lanes all;
-  Real at[ChargeTiles<Real>::LANES];
-};
-
-template <class Real>
-union alignas(64) Flag {
-  typename ChargeTiles<Real>::Flags all;
-  std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t> at[ChargeTiles<Real>::LANES];
-};
-
-template <class Real>
-CLAY_INLINE double sum(const typename ChargeTiles<Real>::Lanes& v)
+template <class Real, int BYTES>
+CLAY_INLINE double sum(const typename Pack<Real, BYTES>::Numbers& v)
 {
-  Lane<Real> s;
-  s.all = v;
-  for (int half = ChargeTiles<Real>::LANES / 2; half > 0; half /= 2)
-#pragma omp simd
-    for (int l = 0; l < half; ++l) s.at[l] += s.at[l + half];
-  return s.at[0];
+  double s = 0;
+  for (int l = 0; l < Pack<Real, BYTES>::SIZE; ++l) s += v[l];
+  return s;
 }
+
+template <class Numbers, class Real>
+CLAY_INLINE Numbers& pack(Real* at) { return *reinterpret_cast<Numbers*>(at); }
+
+template <class Numbers, class Real>
+CLAY_INLINE const Numbers& pack(const Real* at) { return *reinterpret_cast<const Numbers*>(at); }
 
 // spheres that coincide push with a finite force; to all others it is nothing
 constexpr float leastOf(float) { return 1e-14f; }
@@ -68,42 +57,60 @@ CLAY_INLINE void place(const std::vector<ChargeGroup>& groups, const TileLaw& la
     const ChargeGroup& group = groups[g];
     for (int k = c.begin[g], i = group.begin; k < c.begin[g + 1]; ++k, i += N) {
       auto& t = c.tiles[k];
-      Lane<Real> u, v, w;
-      u.all = v.all = w.all = t.fx = t.fy = t.fz = typename ChargeTiles<Real>::Lanes{};
+      for (int l = 0; l < N; ++l) t.fx[l] = t.fy[l] = t.fz[l] = 0;
 #pragma omp simd
       for (int l = 0; l < t.used; ++l) {
-        u.at[l] = static_cast<Real>(length * (x.x[i + l] - group.x));
-        v.at[l] = static_cast<Real>(length * (x.y[i + l] - group.y));
-        w.at[l] = static_cast<Real>(length * (x.z[i + l] - group.z));
+        t.x[l] = static_cast<Real>(length * (x.x[i + l] - group.x));
+        t.y[l] = static_cast<Real>(length * (x.y[i + l] - group.y));
+        t.z[l] = static_cast<Real>(length * (x.z[i + l] - group.z));
       }
-      t.x = u.all;
-      t.y = v.all;
-      t.z = w.all;
     }
   }
 }
 
-// A row is a sphere of the first group, which meets all of a tile of the second
-// at once. Only the forces on the second are kept, lane by lane: those on the
-// first are the opposite, with the same lever.
+/// Spheres of a group that a group at D may reach, from its centre.
 template <class Real>
-CLAY_INLINE void actOn(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups,
-                       ChargeTiles<Real>& c, std::vector<Wrench>& wrenches, Forces f)
-{
-  typedef typename ChargeTiles<Real>::Lanes Lanes;
-  typedef typename ChargeTiles<Real>::Tile Tile;
-  constexpr int N = ChargeTiles<Real>::LANES;
-  const Lanes zero = {};
-  const Real shift = static_cast<Real>(law.shift), least = leastOf(Real());
-  const double length = 1 / law.cutoff, torque = law.force * law.cutoff;
+struct Rows {
+  Real x[ChargeTiles<Real>::LANES], y[ChargeTiles<Real>::LANES], z[ChargeTiles<Real>::LANES];
+  int near[ChargeTiles<Real>::LANES], at[ChargeTiles<Real>::LANES], count;
 
-  Lane<Real> ux, uy, uz, q;
-  Flag<Real> near;
-  int row[N];
+  CLAY_INLINE void choose(const typename ChargeTiles<Real>::Tile& t, const Real* D, Real near2)
+  {
+    const Real dx = D[0], dy = D[1], dz = D[2];
+#pragma omp simd
+    for (int i = 0; i < ChargeTiles<Real>::LANES; ++i) {
+      x[i] = t.x[i] - dx;
+      y[i] = t.y[i] - dy;
+      z[i] = t.z[i] - dz;
+      near[i] = x[i] * x[i] + y[i] * y[i] + z[i] * z[i] < near2 ? 1 : 0;
+    }
+    int n = 0;
+    for (int i = 0; i < t.used; ++i) {
+      at[n] = i;
+      n += near[i];
+    }
+    count = n;
+  }
+};
+
+// A row is a sphere of the first group, which meets a register of the second at once.
+// Only the forces on the second are kept, lane by lane: those on the first are the
+// opposite, with the same lever.
+template <class Real, int BYTES>
+CLAY_INLINE void actOn(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups,
+                       ChargeTiles<Real>& c, std::vector<Wrench>& wrenches)
+{
+  typedef typename ChargeTiles<Real>::Tile Tile;
+  typedef typename Pack<Real, BYTES>::Numbers Numbers;
+  constexpr int N = ChargeTiles<Real>::LANES, PART = Pack<Real, BYTES>::SIZE;
+  const Numbers zero = {};
+  const Real shift = static_cast<Real>(law.shift), least = leastOf(Real());
+  const double length = 1 / law.cutoff;
+  Rows<Real> row;
 
   for (std::size_t a = 0; a < groups.size(); ++a) {
     const ChargeGroup& A = groups[a];
-    Lanes Fx = zero, Fy = zero, Fz = zero, Tx = zero, Ty = zero, Tz = zero;
+    Numbers Fx = zero, Fy = zero, Fz = zero, Tx = zero, Ty = zero, Tz = zero;
 
     for (int p = pairs.first[a]; p < pairs.first[a + 1]; ++p) {
       const int b = pairs.second[p];
@@ -112,65 +119,67 @@ CLAY_INLINE void actOn(const PairsInReach& pairs, const TileLaw& law, const std:
       const double outer = law.cutoff + A.r + B.r, inner = law.cutoff - A.r - B.r;
       if (d2 >= outer * outer) continue;
       const bool whole = inner > 0 && d2 < inner * inner;
-      const Real Dx = Real(length * dx), Dy = Real(length * dy), Dz = Real(length * dz);
+      const Real D[3] = {Real(length * dx), Real(length * dy), Real(length * dz)};
       // a sphere farther from B than this has none of it within the cut-off
       const double reach = 1.00001 * (1 + length * B.r);
       const Real near2 = Real(whole ? 1e30 : reach * reach);
 
       for (int ta = c.begin[a]; ta < c.begin[a + 1]; ++ta) {
         const Tile& one = c.tiles[ta];
-        ux.all = one.x - Dx;
-        uy.all = one.y - Dy;
-        uz.all = one.z - Dz;
-        q.all = one.q;
-        near.all = ux.all * ux.all + uy.all * uy.all + uz.all * uz.all < near2;
-        int rows = 0;
-        for (int i = 0; i < one.used; ++i) {
-          row[rows] = i;
-          rows -= static_cast<int>(near.at[i]);
-        }
+        row.choose(one, D, near2);
 
-        for (int tb = c.begin[b]; tb < c.begin[b + 1]; ++tb) {
-          Tile& other = c.tiles[tb];
-          Lanes fx = zero, fy = zero, fz = zero;
-          for (int k = 0; k < rows; ++k) {
-            const int i = row[k];
-            const Lanes ex = other.x - ux.at[i], ey = other.y - uy.at[i], ez = other.z - uz.at[i];
-            const Lanes r2 = ex * ex + (ey * ey + (ez * ez + least));
-            Lanes inv;
-            invSqrt(r2, inv);
-            const Lanes uncut = (inv * inv - shift) * (inv * q.at[i]);
-            const Lanes w = r2 < Real(1) ? uncut : zero;
-            fx += w * ex;
-            fy += w * ey;
-            fz += w * ez;
+        for (int tb = c.begin[b]; tb < c.begin[b + 1]; ++tb)
+          for (int part = 0; part < N; part += PART) {
+            Tile& other = c.tiles[tb];
+            const Numbers x = pack<Numbers>(other.x + part), y = pack<Numbers>(other.y + part),
+                          z = pack<Numbers>(other.z + part), q = pack<Numbers>(other.q + part);
+            Numbers fx = zero, fy = zero, fz = zero;
+            for (int k = 0; k < row.count; ++k) {
+              const int i = row.at[k];
+              const Numbers ex = x - row.x[i], ey = y - row.y[i], ez = z - row.z[i];
+              const Numbers r2 = ex * ex + (ey * ey + (ez * ez + least));
+              Numbers inv;
+              invSqrt<BYTES>(r2, inv);
+              const Numbers uncut = (inv * inv - shift) * (inv * one.q[i]);
+              const Numbers w = r2 < Real(1) ? uncut : zero;
+              fx += w * ex;
+              fy += w * ey;
+              fz += w * ez;
+            }
+            fx *= q;
+            fy *= q;
+            fz *= q;
+            pack<Numbers>(other.fx + part) += fx;
+            pack<Numbers>(other.fy + part) += fy;
+            pack<Numbers>(other.fz + part) += fz;
+            if (A.loose()) continue;
+            const Numbers lx = x + D[0], ly = y + D[1], lz = z + D[2];
+            Fx -= fx;
+            Fy -= fy;
+            Fz -= fz;
+            Tx -= ly * fz - lz * fy;
+            Ty -= lz * fx - lx * fz;
+            Tz -= lx * fy - ly * fx;
           }
-          fx *= other.q;
-          fy *= other.q;
-          fz *= other.q;
-          other.fx += fx;
-          other.fy += fy;
-          other.fz += fz;
-          if (A.loose()) continue;
-          const Lanes lx = other.x + Dx, ly = other.y + Dy, lz = other.z + Dz;
-          Fx -= fx;
-          Fy -= fy;
-          Fz -= fz;
-          Tx -= ly * fz - lz * fy;
-          Ty -= lz * fx - lx * fz;
-          Tz -= lx * fy - ly * fx;
-        }
       }
     }
     if (!A.loose())
-      wrenches[a] = {{sum<Real>(Fx), sum<Real>(Fy), sum<Real>(Fz)}, {sum<Real>(Tx), sum<Real>(Ty), sum<Real>(Tz)}};
+      wrenches[a] = {{sum<Real, BYTES>(Fx), sum<Real, BYTES>(Fy), sum<Real, BYTES>(Fz)},
+                     {sum<Real, BYTES>(Tx), sum<Real, BYTES>(Ty), sum<Real, BYTES>(Tz)}};
   }
+}
 
+template <class Real>
+CLAY_INLINE void addUp(const TileLaw& law, const std::vector<ChargeGroup>& groups, const ChargeTiles<Real>& c,
+                       std::vector<Wrench>& wrenches, Forces f)
+{
+  constexpr int N = ChargeTiles<Real>::LANES;
+  const double torque = law.force * law.cutoff;
   for (std::size_t a = 0; a < groups.size(); ++a) {
     const ChargeGroup& A = groups[a];
     Wrench& w = wrenches[a];
     for (int k = c.begin[a], i = A.begin; k < c.begin[a + 1]; ++k, i += N) {
-      const Tile& t = c.tiles[k];
+      const auto& t = c.tiles[k];
       if (A.loose()) {
         for (int l = 0; l < t.used; ++l) {
           f.x[i + l] = law.force * t.fx[l];
@@ -179,32 +188,65 @@ CLAY_INLINE void actOn(const PairsInReach& pairs, const TileLaw& law, const std:
         }
         continue;
       }
-      w.f[0] += sum<Real>(t.fx);
-      w.f[1] += sum<Real>(t.fy);
-      w.f[2] += sum<Real>(t.fz);
-      w.t[0] += sum<Real>(t.y * t.fz - t.z * t.fy);
-      w.t[1] += sum<Real>(t.z * t.fx - t.x * t.fz);
-      w.t[2] += sum<Real>(t.x * t.fy - t.y * t.fx);
+      double Fx = 0, Fy = 0, Fz = 0, Tx = 0, Ty = 0, Tz = 0;
+#pragma omp simd reduction(+ : Fx, Fy, Fz, Tx, Ty, Tz)
+      for (int l = 0; l < N; ++l) {
+        const double fx = t.fx[l], fy = t.fy[l], fz = t.fz[l];
+        Fx += fx;
+        Fy += fy;
+        Fz += fz;
+        Tx += t.y[l] * fz - t.z[l] * fy;
+        Ty += t.z[l] * fx - t.x[l] * fz;
+        Tz += t.x[l] * fy - t.y[l] * fx;
+      }
+      const double sum[6] = {Fx, Fy, Fz, Tx, Ty, Tz};
+      for (int d = 0; d < 3; ++d) w.f[d] += sum[d], w.t[d] += sum[3 + d];
     }
-    if (!A.loose())
-      for (int d = 0; d < 3; ++d) w.f[d] *= law.force, w.t[d] *= torque;
+    if (A.loose()) continue;
+    for (int d = 0; d < 3; ++d) w.f[d] *= law.force, w.t[d] *= torque;
   }
 }
 
-}  // namespace
-
-CLAY_CLONES void act(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
-                     ChargeTiles<float>& c, std::vector<Wrench>& wrenches, Forces f)
+template <int BYTES, class Real>
+CLAY_INLINE void allOf(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
+                       ChargeTiles<Real>& c, std::vector<Wrench>& wrenches, Forces f)
 {
   place(groups, law, x, c);
-  actOn(pairs, law, groups, c, wrenches, f);
+  actOn<Real, BYTES>(pairs, law, groups, c, wrenches);
+  addUp(law, groups, c, wrenches, f);
 }
 
-CLAY_CLONES void act(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
-                     ChargeTiles<double>& c, std::vector<Wrench>& wrenches, Forces f)
+#define CLAY_TILES(GENERATION, BYTES, REAL)                                                               \
+  GENERATION static void tiles(const PairsInReach& pairs, const TileLaw& law,                             \
+                               const std::vector<ChargeGroup>& groups, Places x, ChargeTiles<REAL>& c,    \
+                               std::vector<Wrench>& wrenches, Forces f)                                   \
+  {                                                                                                       \
+    allOf<BYTES>(pairs, law, groups, x, c, wrenches, f);                                                  \
+  }
+#ifdef CLAY_GENERATIONS
+CLAY_TILES(CLAY_FOR_WIDEST, 64, float)
+CLAY_TILES(CLAY_FOR_WIDEST, 64, double)
+CLAY_TILES(CLAY_FOR_WIDE, 32, float)
+CLAY_TILES(CLAY_FOR_WIDE, 32, double)
+CLAY_TILES(CLAY_FOR_ANY, 16, float)
+CLAY_TILES(CLAY_FOR_ANY, 16, double)
+#else
+CLAY_TILES(, 16, float)
+CLAY_TILES(, 16, double)
+#endif
+
+}  // namespace
+
+void act(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
+         ChargeTiles<float>& c, std::vector<Wrench>& wrenches, Forces f)
 {
-  place(groups, law, x, c);
-  actOn(pairs, law, groups, c, wrenches, f);
+  tiles(pairs, law, groups, x, c, wrenches, f);
+}
+
+void act(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
+         ChargeTiles<double>& c, std::vector<Wrench>& wrenches, Forces f)
+{
+  tiles(pairs, law, groups, x, c, wrenches, f);
 }
 
 }  // namespace clay

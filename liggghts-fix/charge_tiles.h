@@ -43,14 +43,12 @@ struct Forces { double *x, *y, *z; };
 template <class Real>
 struct ChargeTiles {
   static constexpr int LANES = 64 / sizeof(Real);
-  typedef Real Lanes __attribute__((vector_size(64)));
-  typedef decltype(Lanes() < Lanes()) Flags;  ///< -1 for yes
 
   /// Spheres of a group; lanes that are left over have no charge.
   struct alignas(64) Tile {
-    Lanes x, y, z;     ///< from the ball's centre, in cut-offs
-    Lanes q;
-    Lanes fx, fy, fz;  ///< force of the groups that come first in a pair
+    Real x[LANES], y[LANES], z[LANES];     ///< from the ball's centre, in cut-offs
+    Real q[LANES];
+    Real fx[LANES], fy[LANES], fz[LANES];  ///< force of the groups that come first in a pair
     int used;
   };
 

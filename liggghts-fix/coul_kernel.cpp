@@ -60,7 +60,7 @@ void radius(const ChargeGroups& c, ChargeGroup& g)
     const double dx = c.x[i] - g.x, dy = c.y[i] - g.y, dz = c.z[i] - g.z;
     r2 = std::max(r2, dx * dx + dy * dy + dz * dz);
   }
-  g.r = std::sqrt(r2) * (1 + 1e-6);  // bodies are rigid to rounding
+  g.r = std::sqrt(r2) * (1 + 1e-6);
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ void ChargeGroups::moved()
 {
   for (ChargeGroup& g : groups) {
     centre(*this, g);
-    if (g.loose()) radius(*this, g);
+    radius(*this, g);
   }
 }
 
@@ -124,12 +124,12 @@ void ChargeGroups::list(double range)
     if (a && b && one.first != one.second) pairs.emplace_back(one.second, one.first);
     if (a && !b) pairs[p] = {one.second, one.first};
   }
-  all_.first.assign(groups.size() + 1, 0);
-  for (const auto& p : pairs) ++all_.first[p.first + 1];
-  for (std::size_t g = 0; g < groups.size(); ++g) all_.first[g + 1] += all_.first[g];
-  std::vector<int> next(all_.first.begin(), all_.first.end() - 1);
-  all_.second.resize(pairs.size());
-  for (const auto& p : pairs) all_.second[next[p.first]++] = p.second;
+  pairs_.first.assign(groups.size() + 1, 0);
+  for (const auto& p : pairs) ++pairs_.first[p.first + 1];
+  for (std::size_t g = 0; g < groups.size(); ++g) pairs_.first[g + 1] += pairs_.first[g];
+  std::vector<int> next(pairs_.first.begin(), pairs_.first.end() - 1);
+  pairs_.second.resize(pairs.size());
+  for (const auto& p : pairs) pairs_.second[next[p.first]++] = p.second;
 
   was_.clear();
   for (const auto& g : groups) was_.insert(was_.end(), {g.x, g.y, g.z, g.r});
@@ -151,70 +151,18 @@ bool ChargeGroups::listHolds(double skin) const
   return true;
 }
 
-void ChargeGroups::sort_by_distance()
-{
-  for (auto* s : {&near_, &far_}) {
-    s->first.assign(1, 0);
-    s->second.clear();
-  }
-  for (std::size_t a = 0; a < groups.size(); ++a) {
-    const ChargeGroup& A = groups[a];
-    for (int p = all_.first[a]; p < all_.first[a + 1]; ++p) {
-      const ChargeGroup& B = groups[all_.second[p]];
-      const double dx = B.x - A.x, dy = B.y - A.y, dz = B.z - A.z, apart = far + A.r + B.r;
-      (dx * dx + dy * dy + dz * dz < apart * apart ? near_ : far_).second.push_back(all_.second[p]);
-    }
-    near_.first.push_back(static_cast<int>(near_.second.size()));
-    far_.first.push_back(static_cast<int>(far_.second.size()));
-  }
-}
-
-// ---- forces
-
-void ChargeGroups::add_up(const CoulombLaw& law, const PairsInReach& pairs)
-{
-  const TileLaw scaled = {law.cutoff, law.shifted ? 1.0 : 0.0, law.k * largest_ * largest_ / (law.cutoff * law.cutoff)};
-  const Places at = {x.data(), y.data(), z.data()};
-  const Forces f = {fx.data(), fy.data(), fz.data()};
-  if (single) clay::act(pairs, scaled, groups, at, floats_, wrenches, f);
-  else clay::act(pairs, scaled, groups, at, doubles_, wrenches, f);
-}
-
-void ChargeGroups::act(const CoulombLaw& law, bool anew)
+void ChargeGroups::act(const CoulombLaw& law)
 {
   const double skin = 0.1 * law.cutoff;
   wrenches.resize(groups.size());
   for (auto* f : {&fx, &fy, &fz}) f->resize(x.size());
+  if (!listHolds(skin)) list(law.cutoff + skin);
 
-  if (!listHolds(skin)) {
-    // pairs that were not in reach are far
-    list(law.cutoff + skin);
-    anew = true;
-  }
-  if (far <= 0) {
-    add_up(law, all_);
-    return;
-  }
-  if (anew) {
-    sort_by_distance();
-    add_up(law, far_);
-    held_ = {wrenches, fx, fy, fz};
-  }
-  add_up(law, near_);
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (groups[g].loose())
-      for (int i = groups[g].begin; i < groups[g].end; ++i) {
-        fx[i] += held_.fx[i];
-        fy[i] += held_.fy[i];
-        fz[i] += held_.fz[i];
-      }
-    else
-      for (int d = 0; d < 3; ++d) {
-        wrenches[g].f[d] += held_.wrenches[g].f[d];
-        wrenches[g].t[d] += held_.wrenches[g].t[d];
-      }
-  }
+  const TileLaw scaled = {law.cutoff, law.shifted ? 1.0 : 0.0, law.k * largest_ * largest_ / (law.cutoff * law.cutoff)};
+  const Places at = {x.data(), y.data(), z.data()};
+  const Forces f = {fx.data(), fy.data(), fz.data()};
+  if (single) clay::act(pairs_, scaled, groups, at, floats_, wrenches, f);
+  else clay::act(pairs_, scaled, groups, at, doubles_, wrenches, f);
 }
-
 
 }  // namespace clay

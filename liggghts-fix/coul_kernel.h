@@ -38,32 +38,22 @@ class ChargeGroups {
   void close(long body, bool acted);
   /// Whether the other's groups are those of the same bodies and charges, in the same order.
   bool same_bodies(const ChargeGroups& other) const;
-  /// To be called when x, y, z were changed; a body's spheres keep their distances.
+  /// To be called when x, y, z were changed.
   void moved();
 
   /// Single precision in place of double leaves an error of the order of 1e-7 of the largest force.
   bool single = false;
-  /// Groups whose balls have this gap [m] or more between them are far; 0 for none.
-  double far = 0;
 
-  /// Sets the forces. Without `anew` those of the groups that were far stay as they are.
-  void act(const CoulombLaw& law, bool anew = true);
+  /// Sets the forces.
+  void act(const CoulombLaw& law);
 
  private:
-  struct Sums {
-    std::vector<Wrench> wrenches;
-    std::vector<double> fx, fy, fz;
-  };
-
   bool listHolds(double skin) const;
   void list(double range);
-  void sort_by_distance();
-  void add_up(const CoulombLaw& law, const PairsInReach& pairs);
 
-  PairsInReach all_, near_, far_;  // all with a skin, for many calls
-  std::vector<double> was_;        // balls when it was made
-  double largest_ = 0;             // charge
-  Sums held_;                      // of the far ones
+  PairsInReach pairs_;       // with a skin, for many calls
+  std::vector<double> was_;  // balls when it was made
+  double largest_ = 0;       // charge
   ChargeTiles<float> floats_;
   ChargeTiles<double> doubles_;
 };

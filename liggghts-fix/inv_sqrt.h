@@ -28,17 +28,22 @@ CLAY_INLINE double invSqrt(double s)
   return y + y * e * (0.5 + 0.375 * e);
 }
 
-/// As many numbers as the widest registers hold; narrower ones take them in parts.
-typedef double Doubles __attribute__((vector_size(64)));
-typedef float Floats __attribute__((vector_size(64)));
-typedef std::int64_t Longs __attribute__((vector_size(64)));
-typedef std::int32_t Ints __attribute__((vector_size(64)));
+/// Numbers in a register of so many bytes, and whole numbers of their size.
+template <class Real, int BYTES>
+struct Pack {
+  static constexpr int SIZE = BYTES / sizeof(Real);
+  typedef Real Numbers __attribute__((vector_size(BYTES), may_alias));
+  typedef decltype(Numbers() < Numbers()) Bits;
+};
 
 /// The same for several at once.
-CLAY_INLINE void invSqrt(const Doubles& s, Doubles& y)
+template <int BYTES>
+CLAY_INLINE void invSqrt(const typename Pack<double, BYTES>::Numbers& s, typename Pack<double, BYTES>::Numbers& y)
 {
-  y = (Doubles)(0x5fe6eb50c7b537a9LL - ((Longs)s >> 1));
-  Doubles e = 1 - s * y * y;
+  typedef typename Pack<double, BYTES>::Numbers Numbers;
+  typedef typename Pack<double, BYTES>::Bits Bits;
+  y = (Numbers)(0x5fe6eb50c7b537a9LL - ((Bits)s >> 1));
+  Numbers e = 1 - s * y * y;
   y *= 0.9999992536221862 + e * (0.5000004234436741 + e * (0.37627901195582136 + e * 0.3130540602774731));
   e = 1 - s * y * y;
   y += y * e * (0.5 + 0.375 * e);
@@ -46,10 +51,13 @@ CLAY_INLINE void invSqrt(const Doubles& s, Doubles& y)
 
 /// In single precision, to 2.5e-7: there one quartic, nearest for -0.0702 < e < 0.0685
 /// to 2.5e-8, is enough.
-CLAY_INLINE void invSqrt(const Floats& s, Floats& y)
+template <int BYTES>
+CLAY_INLINE void invSqrt(const typename Pack<float, BYTES>::Numbers& s, typename Pack<float, BYTES>::Numbers& y)
 {
-  y = (Floats)(0x5f375a86 - ((Ints)s >> 1));
-  const Floats e = 1 - s * y * y;
+  typedef typename Pack<float, BYTES>::Numbers Numbers;
+  typedef typename Pack<float, BYTES>::Bits Bits;
+  y = (Numbers)(0x5f375a86 - ((Bits)s >> 1));
+  const Numbers e = 1 - s * y * y;
   y *= 1.0f + e * (0.49999822f + e * (0.37500096f + e * (0.31398256f + e * 0.27399567f)));
 }
 

@@ -13,6 +13,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "fix_multisphere.h"
 #include "force.h"
@@ -25,8 +26,8 @@ using namespace LAMMPS_NS;
 /* ---------------------------------------------------------------------- */
 
 PairCoulClump::PairCoulClump(LAMMPS *lmp) : Pair(lmp),
-  permittivity_(1.0), every_(1), hold_(false), far_every_(1), charged_(false), multisphere_(NULL),
-  laid_out_(-1), nlocal_(-1), nall_(-1), far_age_(0), evaluated_(-1), evaluations_(0)
+  permittivity_(1.0), every_(1), hold_(false), charged_(false), centred_(false), multisphere_(NULL),
+  laid_out_(-1), nlocal_(-1), nall_(-1), evaluated_(-1), evaluations_(0)
 {
   no_virial_fdotr_compute = 1;
 }
@@ -65,8 +66,6 @@ void PairCoulClump::settings(int narg, char **arg)
   permittivity_ = 1.0;
   every_ = 1;
   hold_ = false;
-  groups_.far = 0.0;
-  far_every_ = 1;
   groups_.single = false;
 
   char text[256];
@@ -93,24 +92,14 @@ void PairCoulClump::settings(int narg, char **arg)
       }
       if (i+1 < narg && strcmp(arg[i+1],"impulse") == 0) { hold_ = false; i++; }
       else if (i+1 < narg && strcmp(arg[i+1],"hold") == 0) { hold_ = true; i++; }
-    } else if (strcmp(arg[i],"far") == 0 && i+2 < narg) {
-      groups_.far = force->numeric(FLERR, arg[++i]);
-      far_every_ = force->inumeric(FLERR, arg[++i]);
-      if (!(groups_.far > 0.0) || far_every_ < 1) {
-        snprintf(text, sizeof text, "Pair style coul/clump: far is %s %s: a distance greater than 0 (m) and 1 or more evaluations are wanted",
-                 arg[i-1], arg[i]);
-        error->all(FLERR, text);
-      }
     } else if (strcmp(arg[i],"double") == 0) groups_.single = false;
     else if (strcmp(arg[i],"single") == 0) groups_.single = true;
     else {
       snprintf(text, sizeof text, "Pair style coul/clump: '%s' is not understood: sharp, shifted, permittivity EPS, "
-               "every N [impulse|hold], far D M, double or single may follow the cut-off", arg[i]);
+               "every N [impulse|hold], double or single may follow the cut-off", arg[i]);
       error->all(FLERR, text);
     }
   }
-  if (far_every_ > 1 && kicks())
-    error->all(FLERR,"Pair style coul/clump: far D M goes with every N hold, not with impulse");
   law_.k /= permittivity_;
 }
 
@@ -181,6 +170,9 @@ void PairCoulClump::init_style()
     const double range = 2.0*law_.cutoff + neighbor->skin;
     comm->cutghostuser = std::max(comm->cutghostuser, range);
   }
+  // where they will be then is foreseen by their velocities, which ghosts have only on request
+  const bool ghosts = comm->nprocs > 1 || domain->xperiodic || domain->yperiodic || domain->zperiodic;
+  centred_ = hold_ && every_ > 1 && (comm->ghost_velocity || !ghosts);
   laid_out_ = evaluated_ = nall_ = -1;
 }
 
@@ -218,18 +210,17 @@ void PairCoulClump::read_restart(FILE *fp, const int major, const int minor)
 
 void PairCoulClump::write_restart_settings(FILE *fp)
 {
-  const double kept[8] = { law_.cutoff, law_.shifted ? 1.0 : 0.0, permittivity_,
-                           static_cast<double>(every_), hold_ ? 1.0 : 0.0,
-                           groups_.far, static_cast<double>(far_every_), groups_.single ? 1.0 : 0.0 };
-  fwrite(kept, sizeof(double), 8, fp);
+  const double kept[6] = { law_.cutoff, law_.shifted ? 1.0 : 0.0, permittivity_,
+                           static_cast<double>(every_), hold_ ? 1.0 : 0.0, groups_.single ? 1.0 : 0.0 };
+  fwrite(kept, sizeof(double), 6, fp);
 }
 
 void PairCoulClump::read_restart_settings(FILE *fp, const int, const int)
 {
-  double kept[8];
-  if (comm->me == 0 && fread(kept, sizeof(double), 8, fp) != 8)
+  double kept[6];
+  if (comm->me == 0 && fread(kept, sizeof(double), 6, fp) != 6)
     error->one(FLERR,"Pair style coul/clump: the restart file ends too early");
-  MPI_Bcast(kept, 8, MPI_DOUBLE, 0, world);
+  MPI_Bcast(kept, 6, MPI_DOUBLE, 0, world);
   law_ = clay::CoulombLaw();
   law_.cutoff = kept[0];
   law_.shifted = kept[1] != 0.0;
@@ -237,9 +228,7 @@ void PairCoulClump::read_restart_settings(FILE *fp, const int, const int)
   law_.k /= permittivity_;
   every_ = static_cast<int>(kept[3]);
   hold_ = kept[4] != 0.0;
-  groups_.far = kept[5];
-  far_every_ = static_cast<int>(kept[6]);
-  groups_.single = kept[7] != 0.0;
+  groups_.single = kept[5] != 0.0;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -2,8 +2,7 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
    pair_style coul/clump cutoff [sharp|shifted] [permittivity eps_r]
-                         [every N [impulse|hold]] [far D M]
-                         [double|single]
+                         [every N [impulse|hold]] [double|single]
    Coulomb forces between the charged spheres of different bodies.
 ------------------------------------------------------------------------- */
 
@@ -49,13 +48,13 @@ class PairCoulClump : public Pair {
   bool kicks() const { return every_ > 1 && !hold_; }
   /// Steps between two evaluations.
   int every() const { return every_; }
-  /// Number of evaluations since the start, of near pairs at least.
+  /// Number of evaluations since the start.
   bigint evaluations() const { return evaluations_; }
 
  private:
   void allocate();
   void lay_out();
-  void gather();
+  void gather(double ahead);
   void take_forces(double factor);
   void add_forces();
   void tally();
@@ -70,11 +69,11 @@ class PairCoulClump : public Pair {
   double permittivity_;
   int every_;
   bool hold_;
-  int far_every_;                // evaluations; of bodies that are groups_.far apart
 
   std::vector<double> charge_;   // by type
   std::vector<char> given_;      // charge was given
   bool charged_;                 // any charge that is not zero
+  bool centred_;                 // held forces are those of the middle of their steps
 
   class FixMultisphere *multisphere_;
   clay::ChargeGroups groups_;
@@ -82,7 +81,6 @@ class PairCoulClump : public Pair {
   std::vector<Held> held_;             // forces of the last evaluation
   bigint laid_out_;                    // time step of the last lay_out()
   int nlocal_, nall_;                  // atoms seen then
-  int far_age_;                        // evaluations since those of far bodies
   bigint evaluated_;                   // time step the held forces are of
   bigint evaluations_;
 };

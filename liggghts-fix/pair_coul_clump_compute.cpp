@@ -94,21 +94,22 @@ void PairCoulClump::lay_out()
   // with the same bodies as before, all of this processor, the forces still hold
   if (same_atoms && n == nlocal_ && groups_.same_bodies(groups)) return;
   groups.single = groups_.single;
-  groups.far = groups_.far;
   groups_ = groups;
   evaluated_ = -1;
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   where the spheres are some time ahead
+------------------------------------------------------------------------- */
 
-void PairCoulClump::gather()
+void PairCoulClump::gather(double ahead)
 {
-  double **x = atom->x;
+  double **x = atom->x, **v = atom->v;
   for (std::size_t k = 0; k < order_.size(); k++) {
-    const double *xi = x[order_[k]];
-    groups_.x[k] = xi[0];
-    groups_.y[k] = xi[1];
-    groups_.z[k] = xi[2];
+    const double *xi = x[order_[k]], *vi = v[order_[k]];
+    groups_.x[k] = xi[0] + ahead*vi[0];
+    groups_.y[k] = xi[1] + ahead*vi[1];
+    groups_.z[k] = xi[2] + ahead*vi[2];
   }
   groups_.moved();
 }
@@ -182,22 +183,23 @@ void PairCoulClump::compute(int eflag, int vflag)
   if (neighbor->lastcall != laid_out_ || atom->nlocal + atom->nghost != nall_) lay_out();
 
   // impulse: N times the force on every N-th step, nothing between
-  // hold: the same force on every step, until it is N steps old
+  // hold: the same force on every step, until it is N steps old; that of the middle of these
   const bigint step = update->ntimestep;
   const bool due = hold_ ? (evaluated_ < 0 || step - evaluated_ >= every_ || step < evaluated_)
                          : step % every_ == 0;
-  if (due || evflag) gather();
   if (due) {
-    const bool anew = evaluated_ < 0 || ++far_age_ >= far_every_;
-    if (anew) far_age_ = 0;
-    groups_.act(law_, anew);
+    gather(centred_ ? 0.5*(every_-1)*update->dt : 0.0);
+    groups_.act(law_);
     take_forces(hold_ ? 1.0 : every_);
     evaluated_ = step;
     evaluations_++;
   }
   if (due || hold_) add_forces();
 
-  if (evflag) tally();
+  if (evflag) {
+    gather(0.0);
+    tally();
+  }
 }
 
 /* ---------------------------------------------------------------------- */

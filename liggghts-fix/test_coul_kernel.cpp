@@ -207,40 +207,6 @@ TEST(CoulKernel, groupsThatMove)
   }
 }
 
-// far groups' forces stay; those of near ones do not
-TEST(CoulKernel, farGroupsAreHeld)
-{
-  auto balls = suspension(100, 60, 7);
-  CoulombLaw law;
-  law.cutoff = 4;
-  int acting;
-  const auto before = oneByOne(balls, law, &acting);
-  for (bool single : {false, true}) {
-    auto moved = balls;
-    ChargeGroups g = grouped(moved);
-    g.single = single;
-    g.far = 1.5;
-    g.act(law);
-    const double exact = single ? 1e-5 : 1e-12;
-    EXPECT_LT(against(g, before).force, exact);
-    EXPECT_LT(against(g, before).torque, exact);
-
-    // one that moves by s has forces that are off by 2 s/r, of q q/r2 with r > far; here of up to some 30 spheres
-    const double s = 1e-3;
-    shift(moved, g, s);
-    g.act(law, false);
-    const auto now = oneByOne(moved, law, &acting);
-    const Errors held = against(g, now);
-    EXPECT_GT(held.force, 10 * exact);
-    EXPECT_LT(held.force, 2 * (2 * s / g.far));
-    const Errors all_held = against(g, before);
-    EXPECT_GT(all_held.force, 3 * held.force);
-
-    g.act(law);
-    EXPECT_LT(against(g, now).force, exact);
-  }
-}
-
 TEST(CoulKernel, sameBodies)
 {
   auto balls = suspension(4, 0, 8);

@@ -15,7 +15,7 @@ GROWTH = 0.05
 # kernel: program, its arguments, the function that is counted with all it calls
 KERNELS = {
     "contact": ("kernel_counts", ["contact"], "clay::contactForces*"),
-    "coulomb": ("kernel_counts", ["coulomb"], "clay::coulombForces*"),
+    "coulomb": ("kernel_counts", ["coulomb"], "clay::ChargeGroups::act*"),
     "overlap": ("mappingCost", ["--gtest_filter=mappingCost.onePass"], "Foam::voidFractionModels::exactOverlap::weights*"),
 }
 

@@ -78,12 +78,6 @@ void ChargeGroups::close(long body, bool acted)
   groups.push_back(g);
 }
 
-bool ChargeGroups::same_bodies(const ChargeGroups& other) const
-{
-  return q == other.q && std::equal(groups.begin(), groups.end(), other.groups.begin(), other.groups.end(),
-    [](const ChargeGroup& a, const ChargeGroup& b) { return !a.loose() && a.body == b.body && a.end == b.end; });
-}
-
 void ChargeGroups::moved()
 {
   for (ChargeGroup& g : groups) {

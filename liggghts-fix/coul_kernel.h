@@ -36,8 +36,6 @@ class ChargeGroups {
   void add(double px, double py, double pz, double charge);
   /// Makes a group of the spheres added since the last one.
   void close(long body, bool acted);
-  /// Whether the other's groups are those of the same bodies and charges, in the same order.
-  bool same_bodies(const ChargeGroups& other) const;
   /// To be called when x, y, z were changed.
   void moved();
 

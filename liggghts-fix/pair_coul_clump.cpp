@@ -27,7 +27,7 @@ using namespace LAMMPS_NS;
 
 PairCoulClump::PairCoulClump(LAMMPS *lmp) : Pair(lmp),
   permittivity_(1.0), every_(1), hold_(false), charged_(false), centred_(false), multisphere_(NULL),
-  laid_out_(-1), nlocal_(-1), nall_(-1), evaluated_(-1), evaluations_(0)
+  laid_out_(-1), nall_(-1), evaluated_(-1), evaluations_(0)
 {
   no_virial_fdotr_compute = 1;
 }

@@ -53,6 +53,7 @@ class PairCoulClump : public Pair {
 
  private:
   void allocate();
+  bool same_bodies() const;
   void lay_out();
   void gather(double ahead);
   void take_forces(double factor);
@@ -80,7 +81,7 @@ class PairCoulClump : public Pair {
   std::vector<int> order_;             // atoms in the order of the groups
   std::vector<Held> held_;             // forces of the last evaluation
   bigint laid_out_;                    // time step of the last lay_out()
-  int nlocal_, nall_;                  // atoms seen then
+  int nall_;                           // atoms seen then
   bigint evaluated_;                   // time step the held forces are of
   bigint evaluations_;
 };

@@ -47,13 +47,34 @@ struct Place {
 
 }
 
+/* ----------------------------------------------------------------------
+   the same bodies and charges as before, all of this processor: their forces
+   still hold
+------------------------------------------------------------------------- */
+
+bool PairCoulClump::same_bodies() const
+{
+  if (atom->nghost > 0 || atom->nlocal != nall_ || !multisphere_) return false;
+  std::size_t charged = 0;
+  for (int i = 0; i < nall_; i++) charged += charge_[atom->type[i]] != 0.0;
+  if (charged != order_.size()) return false;
+  for (std::size_t g = 0; g < groups_.groups.size(); g++) {
+    const clay::ChargeGroup &group = groups_.groups[g];
+    if (group.loose()) return false;
+    for (int k = group.begin; k < group.end; k++)
+      if (multisphere_->belongs_to(order_[k]) != group.body || charge_[atom->type[order_[k]]] != groups_.q[k]) return false;
+  }
+  return true;
+}
+
+/* ---------------------------------------------------------------------- */
+
 void PairCoulClump::lay_out()
 {
-  const int n = atom->nlocal + atom->nghost;
-  const bool same_atoms = atom->nlocal == nlocal_ && n == nall_;
   laid_out_ = neighbor->lastcall;
-  nlocal_ = atom->nlocal;
-  nall_ = n;
+  if (same_bodies()) return;
+  const int n = nall_ = atom->nlocal + atom->nghost;
+  evaluated_ = -1;
 
   double **x = atom->x;
   std::vector<Place> places;
@@ -61,7 +82,7 @@ void PairCoulClump::lay_out()
   for (int i = 0; i < n; i++) {
     if (charge_[atom->type[i]] == 0.0) continue;
     const int body = multisphere_ ? std::max(-1, multisphere_->belongs_to(i)) : -1;
-    Place p = { body, {0, 0, 0}, i >= nlocal_, i };
+    Place p = { body, {0, 0, 0}, i >= atom->nlocal, i };
     if (body < 0)
       for (int d = 0; d < 3; d++) p.cell[d] = static_cast<int>(floor(3.0*x[i][d]/law_.cutoff));
     places.push_back(p);
@@ -84,18 +105,13 @@ void PairCoulClump::lay_out()
   if (periodic) std::sort(places.begin(), places.end());
 
   order_.clear();
-  clay::ChargeGroups groups;
+  groups_.clear();
   for (std::size_t k = 0; k < places.size(); k++) {
     const int i = places[k].atom;
     order_.push_back(i);
-    groups.add(x[i][0], x[i][1], x[i][2], charge_[atom->type[i]]);
-    if (k+1 == places.size() || !places[k].same_group(places[k+1])) groups.close(places[k].body, !places[k].ghost);
+    groups_.add(x[i][0], x[i][1], x[i][2], charge_[atom->type[i]]);
+    if (k+1 == places.size() || !places[k].same_group(places[k+1])) groups_.close(places[k].body, !places[k].ghost);
   }
-  // with the same bodies as before, all of this processor, the forces still hold
-  if (same_atoms && n == nlocal_ && groups_.same_bodies(groups)) return;
-  groups.single = groups_.single;
-  groups_ = groups;
-  evaluated_ = -1;
 }
 
 /* ----------------------------------------------------------------------

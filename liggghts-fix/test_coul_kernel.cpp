@@ -207,18 +207,6 @@ TEST(CoulKernel, groupsThatMove)
   }
 }
 
-TEST(CoulKernel, sameBodies)
-{
-  auto balls = suspension(4, 0, 8);
-  const ChargeGroups g = grouped(balls);
-  EXPECT_TRUE(g.same_bodies(grouped(balls)));
-  balls[3].q *= -1;
-  EXPECT_FALSE(g.same_bodies(grouped(balls)));
-  EXPECT_FALSE(g.same_bodies(grouped(suspension(3, 0, 8))));
-  const auto loose = suspension(0, 9, 8);
-  EXPECT_FALSE(grouped(loose).same_bodies(grouped(loose)));
-}
-
 TEST(CoulKernel, lawIsTheSlopeOfItsEnergy)
 {
   for (bool shifted : {false, true}) {

@@ -40,7 +40,7 @@ def settings(values, quick=False):
     if "cutoff" in values:
         for factor in (0.5,) if quick else (0.33, 0.5, 0.75, 1.5):
             add("cutoff", values["cutoff"] * factor, {"cutoff": values["cutoff"] * factor})
-        for every in (1,) if quick else (1, 5, 20, 50):
+        for every in (1,) if quick else (1, 5, 10, 50):
             if every != values["coulomb_steps"]:
                 add("coulomb_steps", every, {"coulomb_steps": every})
     other = "no" if values["overlap"] == "yes" else "yes"

@@ -28,9 +28,11 @@ def parser():
     p = argparse.ArgumentParser(
         prog="validation/bench", allow_abbrev=False,
         description="Measures run time against error: each setting by itself, beside runs of what is shipped.",
-        epilog="validation/bench targets measures the table of targets. A later run says what has changed since the "
+        epilog="validation/bench targets measures the table of targets, validation/bench skips the table of what is "
+               "skipped. A later run says what has changed since the "
                "last one that was kept.")
-    p.add_argument("what", nargs="?", choices=["settings", "targets"], default="settings", help="settings, or targets")
+    p.add_argument("what", nargs="?", choices=["settings", "targets", "skips"], default="settings",
+                   help="settings, targets, or what is skipped")
     p.add_argument("--case", action="append", choices=list(bench_plan.CASES), help="only this case")
     p.add_argument("--setting", action="append", metavar="KEY", help="only this setting")
     p.add_argument("--repeats", type=int, metavar="N", help="timed runs of each point (3, --quick 1)")
@@ -207,6 +209,15 @@ def main():
         say(bench_targets.table(rows))
         say(f"results in {bench_run.PLACE}")
         return 0 if all(r["passed"] for r in rows) else 1
+    if args.what == "skips":
+        import bench_picture
+        import bench_skips
+        rows = bench_skips.measure(args.quick, args.repeats, say)
+        write("skips", rows, bench_skips.COLUMNS, args.json)
+        bench_picture.draw_skips(os.path.join(bench_run.PLACE, "skips.png"), rows)
+        say(bench_skips.table(rows))
+        say(f"results in {bench_run.PLACE}")
+        return 0
     rows = []
     yardstick = bench_run.yardstick()
     for case in args.case or bench_plan.CASES:

@@ -56,5 +56,28 @@ def draw(path, rows):
     plt.close(fig)
 
 
+def draw_skips(path, rows):
+    """Bars of what each skip gains, with the error beside."""
+    rows = [r for r in rows if r["gain"]][::-1]
+    fig, ax = plt.subplots(figsize=(9, 0.42 * len(rows) + 1.4), layout="constrained")
+    for k, r in enumerate(rows):
+        ax.barh(k, r["gain"] - 1, left=1, color=_COLOURS[0] if r["gain"] >= 1 else _COLOURS[1], height=0.6)
+        error = "same to the bit" if r["error"] == 0 else f"error {100 * r['error']:.2g} %"
+        ax.annotate(f"{r['gain']:.2f}   {error}", (max(r["gain"], 1), k), xytext=(5, 0), textcoords="offset points",
+                    va="center", fontsize=8)
+    ax.set_yticks(range(len(rows)), [f"{r['feature']}, {r['scene']}" for r in rows], fontsize=8)
+    ax.axvline(1, color="black", lw=0.8)
+    ax.set_xscale("log")
+    ax.set_xlim(min(0.8, *(0.9 * r["gain"] for r in rows)), 3 * max(2, *(r["gain"] for r in rows)))
+    ax.xaxis.set_major_formatter("{x:g}")
+    ax.xaxis.set_minor_formatter("{x:g}")
+    ax.tick_params(axis="x", which="minor", labelsize=7)
+    ax.set_xlabel("gain: time with the work done over time with it skipped")
+    ax.grid(axis="x", alpha=0.3, lw=0.4, which="both")
+    ax.set_axisbelow(True)
+    fig.savefig(path, dpi=140)
+    plt.close(fig)
+
+
 def _short(value):
     return value if isinstance(value, str) else f"{value:.3g}"

@@ -27,9 +27,12 @@ def name_of(case, changes):
     return case + "-" + hashlib.sha256(repr(sorted(changes.items())).encode()).hexdigest()[:10]
 
 
-def made(case, changes, where="runs", dry=False):
-    """A run of cases/run without pictures; its folder. Broken when it fails."""
-    folder = os.path.join(PLACE, where, name_of(case, changes) + ("-inputs" if dry else ""))
+def made(case, changes, where="runs", dry=False, edit=None, tag=""):
+    """A run of cases/run without pictures; its folder, named by the tag as well.
+    edit(text) changes its in.liggghts. Broken when it fails."""
+    if edit and not dry:
+        return _edited(case, changes, where, edit, tag)
+    folder = os.path.join(PLACE, where, name_of(case, changes) + tag.replace(" ", "-") + ("-inputs" if dry else ""))
     words = [os.path.join(coupled.TOP, "cases", "run"), "--no-setup", case, "--out", folder, "--no-pictures",
              "--set", "frames=2"]
     for key, value in changes.items():
@@ -38,6 +41,23 @@ def made(case, changes, where="runs", dry=False):
     if outcome.status != 0:
         lines = [x for x in outcome.output.splitlines() if x.strip()]
         raise Broken(lines[-1] if lines else f"exit code {outcome.status}")
+    return folder
+
+
+def _edited(case, changes, where, edit, tag):
+    folder = made(case, changes, where, dry=True, tag=tag)
+    path = os.path.join(folder, "in.liggghts")
+    with open(path, encoding="utf-8") as f:
+        before = f.read()
+    text = edit(before)
+    if text == before:
+        raise Broken(f"{case}: nothing in in.liggghts to change for '{tag}'")
+    with open(path, "w", encoding="utf-8") as f:
+        f.write(text)
+    outcome = coupled.execute(["sh", os.path.join(folder, "run.sh")], _LIMIT)
+    if outcome.status != 0:
+        said = [x.strip() for x in outcome.output.splitlines() if "ERROR" in x or x.startswith(("liggghts-clay:", "clayFoam:"))]
+        raise Broken(said[0] if said else f"exit code {outcome.status}")
     return folder
 
 

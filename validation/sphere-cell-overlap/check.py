@@ -54,6 +54,13 @@ def run(checks):
                                   "--cfd", ranks, "--set", f"void_fraction={scheme}", *more)
         checks.at_most(f"{scheme}, {where}, 1 + {ranks} ranks: sum of the cells over that of the spheres, less 1",
                        coupled.summary(folder)["max_void_fraction_volume_error"], 1e-12)
+    # a lattice of spheres, eight a cell, of which one layer stands across the periodic faces of bottom and top
+    around = ("--set", "bottom=cyclic", "--set", "top=cyclic", "--set", "gravity=0", "--set", "origin_z=0.0006", "--end", "0.001")
+    uniform = 8 * 4 / 3 * np.pi * 1e-9 / 4.8e-3**3
+    folder = coupled.finished("lattice-scene", "sphere-cell-overlap/periodic", "--no-pictures", *around)
+    found_there = 1 - void_fraction(folder, "0.001")
+    checks.at_most("exactOverlap across periodic faces: largest difference from the exact solid fraction, over it",
+                   np.max(np.abs(found_there / uniform - 1)), 1e-9)
     shown = (r["overlap_m3"] > 0) & (r["case"] != "engulf")
     checks.picture(plots.compare(
         os.path.join(coupled.RUNS, "sphere-cell-overlap", "overlap.png"),

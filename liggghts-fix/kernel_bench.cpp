@@ -16,6 +16,7 @@ void contact(benchmark::State &state)
 void coulomb(benchmark::State &state)
 {
   clay::CoulombScene scene(static_cast<int>(state.range(0)));
+  scene.groups.single = state.range(1) != 0;
   for (auto _ : state) scene.step();
   state.SetItemsProcessed(state.iterations() * scene.groups.x.size());
 }
@@ -23,5 +24,5 @@ void coulomb(benchmark::State &state)
 }  // namespace
 
 BENCHMARK(contact)->Arg(12)->Arg(40);
-BENCHMARK(coulomb)->Arg(4)->Arg(8);
+BENCHMARK(coulomb)->ArgNames({"side", "single"})->Args({4, 0})->Args({4, 1})->Args({8, 0})->Args({8, 1});
 BENCHMARK_MAIN();

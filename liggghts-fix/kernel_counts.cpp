@@ -1,6 +1,6 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a kernel once, for callgrind to count its instructions
-// (validation/instructions): kernel_counts contact|coulomb
+// (validation/instructions): kernel_counts contact|coulomb|coulomb_single
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -16,12 +16,13 @@ int main(int argc, char **argv)
     std::printf("pairs %d\n", scene.pairs.size());
     return std::isfinite(scene.f[0]) ? 0 : 1;
   }
-  if (which == "coulomb") {
+  if (which == "coulomb" || which == "coulomb_single") {
     clay::CoulombScene scene(4);
+    scene.groups.single = which == "coulomb_single";
     scene.step();
     std::printf("spheres %zu\n", scene.groups.x.size());
-    return std::isfinite(scene.groups.fx[0]) ? 0 : 1;
+    return std::isfinite(scene.groups.wrenches[0].f[0]) ? 0 : 1;
   }
-  std::fprintf(stderr, "kernel_counts: choose contact or coulomb\n");
+  std::fprintf(stderr, "kernel_counts: choose contact, coulomb or coulomb_single\n");
   return 1;
 }

@@ -16,6 +16,7 @@ GROWTH = 0.05
 KERNELS = {
     "contact": ("kernel_counts", ["contact"], "clay::contactForces*"),
     "coulomb": ("kernel_counts", ["coulomb"], "clay::ChargeGroups::act*"),
+    "coulomb_single": ("kernel_counts", ["coulomb_single"], "clay::ChargeGroups::act*"),
     "overlap": ("mappingCost", ["--gtest_filter=mappingCost.onePass"], "Foam::voidFractionModels::exactOverlap::weights*"),
 }
 

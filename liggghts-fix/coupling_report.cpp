@@ -30,7 +30,7 @@ using namespace LAMMPS_NS;
 
 CouplingReport::CouplingReport(LAMMPS *lmp, const std::string &file, double seconds) :
   Pointers(lmp), file_(file), seconds_(seconds), counted_(false),
-  began_(0.), last_line_(0.), wall_(0.), output_(0.), steps_(0), particles_(0),
+  cpu_began_(0), cpu_wait_(0), cpu_waited_(0), cpu_(0.), began_(0.), last_line_(0.), wall_(0.), output_(0.), steps_(0), particles_(0),
   start_time_(0.), overlap_(0.), now_(0.), pair_{0,0}
 {
 }
@@ -48,6 +48,8 @@ void CouplingReport::warn(const std::string &text)
 void CouplingReport::start()
 {
   began_ = last_line_ = MPI_Wtime();
+  cpu_began_ = std::clock();
+  cpu_waited_ = 0;
   bigint n = atom->nlocal, all;
   MPI_Allreduce(&n,&all,1,MPI_LMP_BIGINT,MPI_SUM,world);
   particles_ = std::max<long>(particles_,all);
@@ -139,12 +141,13 @@ void CouplingReport::line(const clay::DemSession &session)
 void CouplingReport::finish(const clay::DemSession &session, int interval, double wall_overlap)
 {
   wall_ += MPI_Wtime() - began_;
+  cpu_ += double(std::clock() - cpu_began_ - cpu_waited_)/CLOCKS_PER_SEC;
   output_ += timer->array[TIME_OUTPUT];
   steps_ += update->laststep - update->firststep;
 
   const clay::Timing &timing = session.timing();
-  double mine[6] = {wall_,timing.exchange,timing.waiting,output_,overlap_,wall_overlap}, worst[6];
-  MPI_Allreduce(mine,worst,6,MPI_DOUBLE,MPI_MAX,world);
+  double mine[7] = {wall_,timing.exchange,timing.waiting,output_,overlap_,wall_overlap,cpu_}, worst[7];
+  MPI_Allreduce(mine,worst,7,MPI_DOUBLE,MPI_MAX,world);
   bigint n = atom->nlocal, now;
   MPI_Allreduce(&n,&now,1,MPI_LMP_BIGINT,MPI_SUM,world);
   double sent = timing.bytesSent, bytes;
@@ -162,6 +165,7 @@ void CouplingReport::finish(const clay::DemSession &session, int interval, doubl
   j["exchange_s"] = worst[1];
   j["waiting_s"] = worst[2];
   j["output_s"] = worst[3];
+  j["dem_cpu_s"] = worst[6];
   j["dem_steps"] = steps_;
   if (Fix *rest = modify->find_fix_style("rest/bed",0)) {
     j["dem_steps_left_out"] = rest->compute_vector(0);

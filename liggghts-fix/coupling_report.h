@@ -4,6 +4,7 @@
 #ifndef LMP_COUPLING_REPORT_H
 #define LMP_COUPLING_REPORT_H
 
+#include <ctime>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,9 @@ class CouplingReport : protected Pointers {
 
   /// Marks the start of a run.
   void start();
+  /// Around a wait for the other half, whose processor time is no work.
+  void wait_begins() { cpu_wait_ = std::clock(); }
+  void wait_ends() { cpu_waited_ += std::clock() - cpu_wait_; }
   /// After each exchange: takes the measures, prints the line when it is due.
   void exchange(const clay::DemSession &session, bool last);
   /// Marks the end of a run and writes dem.json. wall_overlap: largest with a wall, over d.
@@ -45,6 +49,8 @@ class CouplingReport : protected Pointers {
   std::string file_;
   double seconds_;
   bool counted_;
+  std::clock_t cpu_began_, cpu_wait_, cpu_waited_;
+  double cpu_;
   double began_, last_line_, wall_, output_;
   long steps_, particles_;
   std::vector<std::pair<std::string,std::string>> settings_;

@@ -189,7 +189,9 @@ void FixCoupleFoam::look_for_answer()
 
 void FixCoupleFoam::take_answer()
 {
+  report_->wait_begins();
   session_->receive(answer_);
+  report_->wait_ends();
   pending_ = false;
   unseen_ = true;
   if (lag_ > 0) {

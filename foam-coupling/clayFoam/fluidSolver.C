@@ -198,7 +198,8 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
 
 bool Foam::fluidSolver::march(particleCoupling& coupling)
 {
-    stopwatch watch(coupling.statistics().solving);
+    couplingStatistics& stats = coupling.statistics();
+    stopwatch watch(stats.solving, &stats.solvingCpu);
 
     const scalar interval = coupling.interval();
     bool writeDue = false;

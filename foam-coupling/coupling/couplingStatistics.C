@@ -112,6 +112,8 @@ void Foam::couplingStatistics::write
     j["exchange_s"] = most(exchange);
     j["waiting_s"] = most(waiting);
     j["mapping_s"] = most(mapping);
+    j["cfd_cpu_s"] = most(solvingCpu);
+    j["mapping_cpu_s"] = most(mappingCpu);
     j["output_s"] = most(output);
     j["cfd_steps"] = steps;
     j["exchanges"] = exchanges;

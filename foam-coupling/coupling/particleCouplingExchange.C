@@ -321,7 +321,7 @@ bool Foam::particleCoupling::next()
         }
 
         {
-            stopwatch watch(stats_.mapping);
+            stopwatch watch(stats_.mapping, &stats_.mappingCpu);
             take();
             map();
             exchangeMomentum();

@@ -52,14 +52,19 @@ def settings(values, quick=False):
         add("mesh", name, dict(zip(("core_cells", "ring_cells", "layers"), _MESHES[name])))
     for tolerance in (1e-6,) if quick else (1e-4, 1e-6, 1e-10):
         add("tolerance", tolerance, {"tolerance": tolerance})
+    for setting, value in (("rest", "no"), ("answer_lag", "0"), ("quiet_fluid", 0.0)):
+        if setting in values and values[setting] != value:
+            add(setting, value, {setting: value})
     add("accuracy", "fast", {"accuracy": "fast"})
     return found
 
 
 def reference(values):
     """The paper's stiffness with a step that resolves it; every force at every
-    step, and the fluid ten times as often as shipped."""
+    step, the fluid ten times as often as shipped, and nothing skipped."""
     step = 2.5e-7
     found = {"accuracy": "reference", "dem_step": step,
              "coupling_steps": max(1, round(0.1 * values["coupling_steps"] * values["dem_step"] / step))}
+    exact = {"rest": "no", "answer_lag": "0", "quiet_fluid": 0.0, "keep_mapping": 0.0}
+    found.update({k: v for k, v in exact.items() if k in values})
     return found

@@ -2,7 +2,7 @@
 """What is skipped, what that gains and what it costs in accuracy: validation/bench skips.
 
 Each row is a pair of runs, one in which the feature's work is done and one in
-which it is left out, made in turn; where work is only done for what a scene
+which it is left out, made in turn, on processor time; where work is only done for what a scene
 has, the pair is a scene with and without it.
 """
 
@@ -140,7 +140,8 @@ def plan(quick=False):
         rows.append(Row(feature, switch, scene, timing, Variant(case, {**base, **work}, edits[0]),
                         Variant(case, {**base, **(skip or {})}, edits[1]), _plain(note) if isinstance(note, str) else note))
 
-    dem, wire, maps = ("dem.dem_s",), ("dem.exchange_s", "cfd.exchange_s", "cfd.mapping_s"), ("cfd.mapping_s",)
+    dem, maps, solves = ("dem.dem_cpu_s",), ("cfd.mapping_cpu_s",), ("cfd.cfd_cpu_s",)
+    wire = dem + ("cfd.exchange_s",) + maps
     add("charges", "automatic: all charges zero", "loose clumps", dem, {"charge": 1e-20}, {"charge": 0},
         "charges of 1e-20 C, whose forces move nothing, against none")
     add("charges, style absent", "no pair coul/clump", "loose clumps", dem, {"charge": 0}, {"charge": 0},
@@ -153,15 +154,15 @@ def plan(quick=False):
         "24 mm against the paper's 12 mm; the sum does not converge with it, so the error is the model's")
     add("bodies", "no fix multisphere/clump", "loose spheres", dem, {}, {},
         "the style with no body, against a script without it: what it costs unused", ("with bodies", ""))
-    add("torque", "forceModels", "loose spheres", dem + wire, {"forces": _FORCES + "+torque"}, {"forces": _FORCES}, _wire)
-    add("fields on the wire", "automatic: what models ask for", "loose spheres", dem + wire, {"forces": _MORE},
+    add("torque", "forceModels", "loose spheres", wire, {"forces": _FORCES + "+torque"}, {"forces": _FORCES}, _wire)
+    add("fields on the wire", "automatic: what models ask for", "loose spheres", wire, {"forces": _MORE},
         {"forces": _FORCES}, _wire)
-    add("smoothing", "smoothingModel none", "loose spheres", ("cfd.mapping_s", "cfd.cfd_s"),
+    add("smoothing", "smoothingModel none", "loose spheres", maps + solves,
         {"smoothing": "diffusion", "bandwidth": 1e-7}, {"smoothing": "none"}, "a bandwidth that smooths nothing, against none")
     add("empty cells", "none", "loose spheres", maps, {"tube_height": 0.6, "layers": 48, "fill_height": 0.15},
         {"tube_height": 0.15, "layers": 12, "fill_height": 0.15}, _empty)
     add("void-fraction updates", "keepMapping 0", "settled spheres", maps, {"keep_mapping": 0}, {}, _mapped)
-    add("quiescent fluid", "quietFluid 0", "settled spheres", ("cfd.cfd_s",), {"quiet_fluid": 0}, {}, _quiet)
+    add("quiescent fluid", "quietFluid 0", "settled spheres", solves, {"quiet_fluid": 0}, {}, _quiet)
     add("resting bed", "rest=no", "settled spheres", dem, {"rest": "no"}, {}, _rest)
     add("resting bed", "rest=no", "settled clumps", dem, {"rest": "no"}, {}, _rest)
     return rows

@@ -61,12 +61,10 @@ class Measurements:
         return a / b, f"{1e6 * a:.0f} us a step, stock {1e6 * b:.0f} us; over the last tenth of the run"
 
     def resting_step(self):
-        self._column()
-        known = casefile.Case("column1890").values
-        key = next((k for k in ("skip_resting", "resting", "rest", "skip") if k in known), None)
-        if key is None:
-            raise Missing("no case has a switch for a bed at rest")
-        folder = bench_run.made("column1890", {"contacts": "lean", key: "yes", **self._column()}, "targets", dry=True)
+        end = self._column()
+        if "rest" not in casefile.Case("column1890").values:
+            raise Missing("the case column1890 has no key 'rest'")
+        folder = bench_run.made("column1890", {"contacts": "lean", "rest": "yes", **end}, "targets", dry=True)
         a, b = last_step(bench_run.alone(folder)), last_step(self._column_runs()[2])
         return a / b, f"{1e6 * a:.1f} us a step, stock {1e6 * b:.0f} us"
 

@@ -71,10 +71,13 @@ class Plan(unittest.TestCase):
                     self.assertAlmostEqual(case.values["dem_step"] * case.values["coupling_steps"],
                                            values["dem_step"] * values["coupling_steps"], delta=0.21e-4)
             self.assertLessEqual({"dem_step", "stiffness", "coupling_steps", "overlap", "void_fraction", "mesh",
-                                  "tolerance", "accuracy"}, seen)
+                                  "tolerance", "accuracy", "rest", "answer_lag", "quiet_fluid"}, seen)
+            exact = bench_plan.reference(values)
+            bench_run_settings(casefile.Case(name), exact)
+            self.assertEqual((exact["rest"], exact["answer_lag"], exact["quiet_fluid"]), ("no", "0", 0))
             self.assertEqual("cutoff" in seen and "coulomb_steps" in seen, name == "clump-half")
             quick = bench_plan.settings(values, quick=True)
-            self.assertLess(len(quick), 14)
+            self.assertLess(len(quick), 17)
 
     def test_stiffer_keeps_the_interval_and_resolves_the_contact(self):
         made = bench_plan.stiffer({"stiffness": 100, "dem_step": 1e-5, "coupling_steps": 20}, 25)

@@ -1,70 +1,109 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #include "body_rotation.h"
 
+#include <cstring>
+
+#include "clones.h"
+#include "inv_sqrt.h"
+
 namespace LAMMPS_NS {
 
 namespace {
 
 typedef RotationBlock::Values Values;
 
-/// q + h w q, brought to length 1, where w is a quaternion without scalar part.
-inline void advance(const Values *q, const Values *w, double h, Values *out)
+struct Vector { Values x, y, z; };
+struct Quaternion { Values s, x, y, z; };
+struct Axes { Vector x, y, z; };
+
+/// Brings q to length 1.
+CLAY_INLINE void norm(Quaternion &q)
 {
-  const Values a = q[0] - h * (w[0] * q[1] + w[1] * q[2] + w[2] * q[3]);
-  const Values b = q[1] + h * (q[0] * w[0] + w[1] * q[3] - w[2] * q[2]);
-  const Values c = q[2] + h * (q[0] * w[1] + w[2] * q[1] - w[0] * q[3]);
-  const Values d = q[3] + h * (q[0] * w[2] + w[0] * q[2] - w[1] * q[1]);
-  const Values f = 1.0 / (a * a + b * b + c * c + d * d).sqrt();
-  out[0] = f * a;
-  out[1] = f * b;
-  out[2] = f * c;
-  out[3] = f * d;
+  Values f = q.s * q.s + q.x * q.x + q.y * q.y + q.z * q.z;
+#pragma omp simd simdlen(8)
+  for (int i = 0; i < RotationBlock::SIZE; i++) f[i] = clay::invSqrt(f[i]);
+  q.s *= f;
+  q.x *= f;
+  q.y *= f;
+  q.z *= f;
+}
+
+/// q + h w q, where w is a quaternion without scalar part.
+CLAY_INLINE void advance(const Quaternion &q, const Vector &w, double h, Quaternion &to)
+{
+  to.s = q.s - h * (w.x * q.x + w.y * q.y + w.z * q.z);
+  to.x = q.x + h * (q.s * w.x + w.y * q.z - w.z * q.y);
+  to.y = q.y + h * (q.s * w.y + w.z * q.x - w.x * q.z);
+  to.z = q.z + h * (q.s * w.z + w.x * q.y - w.y * q.x);
+  norm(to);
 }
 
 /// Columns of the rotation matrix of q.
-inline void axes_of(const Values *q, Values *e)
+CLAY_INLINE void axes_of(const Quaternion &q, Axes &e)
 {
-  const Values ss = q[0] * q[0], xx = q[1] * q[1], yy = q[2] * q[2], zz = q[3] * q[3];
-  const Values xy = q[1] * q[2], xz = q[1] * q[3], yz = q[2] * q[3];
-  const Values sx = q[0] * q[1], sy = q[0] * q[2], sz = q[0] * q[3];
-  e[0] = ss + xx - yy - zz;
-  e[1] = 2.0 * (xy + sz);
-  e[2] = 2.0 * (xz - sy);
-  e[3] = 2.0 * (xy - sz);
-  e[4] = ss - xx + yy - zz;
-  e[5] = 2.0 * (yz + sx);
-  e[6] = 2.0 * (xz + sy);
-  e[7] = 2.0 * (yz - sx);
-  e[8] = ss - xx - yy + zz;
+  const Values ss = q.s * q.s, xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
+  const Values xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;
+  const Values sx = q.s * q.x, sy = q.s * q.y, sz = q.s * q.z;
+  e.x.x = ss + xx - yy - zz;
+  e.x.y = 2.0 * (xy + sz);
+  e.x.z = 2.0 * (xz - sy);
+  e.y.x = 2.0 * (xy - sz);
+  e.y.y = ss - xx + yy - zz;
+  e.y.z = 2.0 * (yz + sx);
+  e.z.x = 2.0 * (xz + sy);
+  e.z.y = 2.0 * (yz - sx);
+  e.z.z = ss - xx - yy + zz;
+}
+
+/// L along e, over the moment of inertia of which f is the inverse.
+CLAY_INLINE void about(const Vector &L, const Vector &e, const Values &f, Values &to)
+{
+  to = f * (L.x * e.x + L.y * e.y + L.z * e.z);
 }
 
 /// Spin of angular momentum L about the axes e; f is 1/I.
-inline void spin_of(const Values *L, const Values *e, const Values *f, Values *w)
+CLAY_INLINE void spin_of(const Vector &L, const Axes &e, const Vector &f, Vector &w)
 {
-  const Values a = f[0] * (L[0] * e[0] + L[1] * e[1] + L[2] * e[2]);
-  const Values b = f[1] * (L[0] * e[3] + L[1] * e[4] + L[2] * e[5]);
-  const Values c = f[2] * (L[0] * e[6] + L[1] * e[7] + L[2] * e[8]);
-  for (int k = 0; k < 3; k++) w[k] = a * e[k] + b * e[k + 3] + c * e[k + 6];
+  Values a, b, c;
+  about(L, e.x, f.x, a);
+  about(L, e.y, f.y, b);
+  about(L, e.z, f.z, c);
+  w.x = a * e.x.x + b * e.y.x + c * e.z.x;
+  w.y = a * e.x.y + b * e.y.y + c * e.z.y;
+  w.z = a * e.x.z + b * e.y.z + c * e.z.z;
+}
+
+CLAY_CLONES void turn_all(RotationBlock &b, double dt)
+{
+  const Values none = {};
+  Vector inverse, w;
+  inverse.x = b.inertia[0] != 0.0 ? 1.0 / b.inertia[0] : none;
+  inverse.y = b.inertia[1] != 0.0 ? 1.0 / b.inertia[1] : none;
+  inverse.z = b.inertia[2] != 0.0 ? 1.0 / b.inertia[2] : none;
+  const Vector L = {b.L[0], b.L[1], b.L[2]};
+  Quaternion q = {b.q[0], b.q[1], b.q[2], b.q[3]}, whole, half, end;
+  Axes e = {{b.axes[0], b.axes[1], b.axes[2]}, {b.axes[3], b.axes[4], b.axes[5]}, {b.axes[6], b.axes[7], b.axes[8]}};
+
+  spin_of(L, e, inverse, w);
+  advance(q, w, 0.5 * dt, whole);
+  advance(q, w, 0.25 * dt, half);
+  axes_of(half, e);
+  spin_of(L, e, inverse, w);
+  advance(half, w, 0.25 * dt, end);
+
+  end.s = 2.0 * end.s - whole.s;
+  end.x = 2.0 * end.x - whole.x;
+  end.y = 2.0 * end.y - whole.y;
+  end.z = 2.0 * end.z - whole.z;
+  norm(end);
+  axes_of(end, e);
+  std::memcpy(b.q, &end, sizeof end);
+  std::memcpy(b.axes, &e, sizeof e);
+  std::memcpy(b.w, &w, sizeof w);
 }
 
 }  // namespace
 
-void RotationBlock::turn(double dt)
-{
-  Values inverse[3], whole[4], half[4];
-  for (int k = 0; k < 3; k++) inverse[k] = (inertia[k] != 0.0).select(inertia[k].inverse(), 0.0);
-
-  spin_of(L, axes, inverse, w);
-  advance(q, w, 0.5 * dt, whole);
-  advance(q, w, 0.25 * dt, half);
-  axes_of(half, axes);
-  spin_of(L, axes, inverse, w);
-  advance(half, w, 0.25 * dt, half);
-
-  for (int k = 0; k < 4; k++) q[k] = 2.0 * half[k] - whole[k];
-  const Values f = 1.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
-  for (int k = 0; k < 4; k++) q[k] *= f;
-  axes_of(q, axes);
-}
+void RotationBlock::turn(double dt) { turn_all(*this, dt); }
 
 }  // namespace LAMMPS_NS

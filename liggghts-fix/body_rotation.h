@@ -4,15 +4,13 @@
 #ifndef LMP_BODY_ROTATION_H
 #define LMP_BODY_ROTATION_H
 
-#include <Eigen/Dense>
-
 namespace LAMMPS_NS {
 
 /// Some bodies that are turned together, one in each place of the arrays, so that
 /// the machine does several at a time.
 struct RotationBlock {
-  enum { SIZE = 4 };
-  typedef Eigen::Array<double, SIZE, 1> Values;
+  enum { SIZE = 8 };
+  typedef double Values __attribute__((vector_size(8*SIZE)));
   Values q[4];        ///< orientation (s, x, y, z), of length 1
   Values L[3];        ///< angular momentum [kg m2/s], space axes
   Values inertia[3];  ///< principal moments [kg m2]

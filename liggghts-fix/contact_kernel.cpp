@@ -276,11 +276,15 @@ CLAY_CLONES void everyBlock(const ContactSpheres &spheres, ContactPairs &p, doub
   }
 }
 
+// square of the longest way of any of n points
 CLAY_CLONES double farthest(const double *x, const double *was, int n)
 {
   double most = 0;
 #pragma omp simd reduction(max : most)
-  for (int k = 0; k < n; ++k) most = std::max(most, std::fabs(x[k] - was[k]));
+  for (int k = 0; k < n; ++k) {
+    const double dx = x[3 * k] - was[3 * k], dy = x[3 * k + 1] - was[3 * k + 1], dz = x[3 * k + 2] - was[3 * k + 2];
+    most = std::max(most, dx * dx + dy * dy + dz * dz);
+  }
   return most;
 }
 
@@ -288,15 +292,7 @@ CLAY_CLONES double farthest(const double *x, const double *was, int n)
 
 bool stayed(const double *x, const double *was, int n, double reach)
 {
-  // no point has gone farther than the root of 3 times the largest part of any
-  const double part = farthest(x, was, 3 * n);
-  if (3 * part * part < reach * reach) return true;
-  double most = 0;
-  for (int k = 0; k < 3 * n; k += 3) {
-    const double dx = x[k] - was[k], dy = x[k + 1] - was[k + 1], dz = x[k + 2] - was[k + 2];
-    most = std::max(most, dx * dx + dy * dy + dz * dz);
-  }
-  return most < reach * reach;
+  return farthest(x, was, n) < reach * reach;
 }
 
 void contactForces(const ContactSpheres &spheres, ContactPairs &pairs, double dt, bool update, bool limit)

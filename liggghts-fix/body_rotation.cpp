@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #include "body_rotation.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "clones.h"
@@ -73,7 +74,7 @@ CLAY_INLINE void spin_of(const Vector &L, const Axes &e, const Vector &f, Vector
   w.z = a * e.x.z + b * e.y.z + c * e.z.z;
 }
 
-CLAY_CLONES void turn_all(RotationBlock &b, double dt)
+CLAY_INLINE void turn_all(RotationBlock &b, double dt)
 {
   const Values none = {};
   Vector inverse, w;
@@ -102,8 +103,77 @@ CLAY_CLONES void turn_all(RotationBlock &b, double dt)
   std::memcpy(b.w, &w, sizeof w);
 }
 
+CLAY_CLONES void turn_block(RotationBlock &b, double dt) { turn_all(b, dt); }
+
+/// N numbers of each of SIZE bodies, from or into N rows.
+template <int N>
+CLAY_INLINE void take(const double *from, Values *rows)
+{
+  double a[N][RotationBlock::SIZE];
+#pragma omp simd simdlen(8)
+  for (int i = 0; i < RotationBlock::SIZE; i++)
+    for (int k = 0; k < N; k++) a[k][i] = from[N * i + k];
+  std::memcpy(rows, a, sizeof a);
+}
+
+template <int N>
+CLAY_INLINE void give(const Values *rows, double *to)
+{
+  double a[N][RotationBlock::SIZE];
+  std::memcpy(a, rows, sizeof a);
+#pragma omp simd simdlen(8)
+  for (int i = 0; i < RotationBlock::SIZE; i++)
+    for (int k = 0; k < N; k++) to[N * i + k] = a[k][i];
+}
+
+CLAY_CLONES void turn_eight(const Bodies &b, double dt)
+{
+  RotationBlock block;
+  take<4>(b.q, block.q);
+  take<3>(b.L, block.L);
+  take<3>(b.inertia, block.inertia);
+  take<3>(b.ex, block.axes);
+  take<3>(b.ey, block.axes + 3);
+  take<3>(b.ez, block.axes + 6);
+  turn_all(block, dt);
+  give<4>(block.q, b.q);
+  give<3>(block.axes, b.ex);
+  give<3>(block.axes + 3, b.ey);
+  give<3>(block.axes + 6, b.ez);
+  give<3>(block.w, b.w);
+}
+
 }  // namespace
 
-void RotationBlock::turn(double dt) { turn_all(*this, dt); }
+void RotationBlock::turn(double dt) { turn_block(*this, dt); }
+
+void turn_bodies(const Bodies &all, int begin, int end, double dt)
+{
+  enum { SIZE = RotationBlock::SIZE };
+  const Bodies b = {all.q + 4 * begin, all.ex + 3 * begin, all.ey + 3 * begin, all.ez + 3 * begin, all.w + 3 * begin,
+                    all.L + 3 * begin, all.inertia + 3 * begin};
+  const int n = end - begin;
+  if (n >= SIZE) {
+    turn_eight(b, dt);
+    if (n > SIZE) turn_bodies(all, begin + SIZE, end, dt);
+  } else if (n > 0) {
+    // too few: with places that stand for none
+    double q[4 * SIZE] = {}, ex[3 * SIZE] = {}, ey[3 * SIZE] = {}, ez[3 * SIZE] = {}, w[3 * SIZE], L[3 * SIZE] = {},
+           inertia[3 * SIZE] = {};
+    for (int i = n; i < SIZE; i++) q[4 * i] = ex[3 * i] = ey[3 * i + 1] = ez[3 * i + 2] = 1;
+    std::copy(b.q, b.q + 4 * n, q);
+    std::copy(b.ex, b.ex + 3 * n, ex);
+    std::copy(b.ey, b.ey + 3 * n, ey);
+    std::copy(b.ez, b.ez + 3 * n, ez);
+    std::copy(b.L, b.L + 3 * n, L);
+    std::copy(b.inertia, b.inertia + 3 * n, inertia);
+    turn_eight({q, ex, ey, ez, w, L, inertia}, dt);
+    std::copy(q, q + 4 * n, b.q);
+    std::copy(ex, ex + 3 * n, b.ex);
+    std::copy(ey, ey + 3 * n, b.ey);
+    std::copy(ez, ez + 3 * n, b.ez);
+    std::copy(w, w + 3 * n, b.w);
+  }
+}
 
 }  // namespace LAMMPS_NS

@@ -23,6 +23,15 @@ struct RotationBlock {
   void turn(double dt);
 };
 
+/// Bodies as a program keeps them: four numbers q a body, three of each other kind.
+struct Bodies {
+  double *q, *ex, *ey, *ez, *w;
+  const double *L, *inertia;
+};
+
+/// RotationBlock::turn() for bodies begin to end-1.
+void turn_bodies(const Bodies &bodies, int begin, int end, double dt);
+
 /// Spin w [1/s] of angular momentum L, all in space axes; a principal moment of 0
 /// stands for no rotation about that axis.
 inline void spin(const double *L, const double *ex, const double *ey, const double *ez,

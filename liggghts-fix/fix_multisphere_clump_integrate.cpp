@@ -18,6 +18,17 @@
 
 using namespace LAMMPS_NS;
 
+namespace {
+
+// LIGGGHTS keeps the vectors of all bodies in one block, and a pointer to each
+template<typename T, int N>
+inline T *row(VectorContainer<T,N> &all, int b)
+{
+  return all.begin()[0] + N*b;
+}
+
+}
+
 /* ---------------------------------------------------------------------- */
 
 bool FixMultisphereClump::stock_features()
@@ -39,12 +50,12 @@ bool FixMultisphereClump::images() const
 void FixMultisphereClump::half_kick(int b)
 {
   const double dtfm = dtf/multisphere_.mass(b);
-  const double *force = fcm_(b), *torque = torque_(b);
-  const bool *moves = fflag_(b), *turns = tflag_(b);
-  double *v = vcm_(b), *L = angmom_(b);
+  const double *force = row(fcm_,b), *torque = row(torque_,b);
+  const bool *moves = row(fflag_,b), *turns = row(tflag_,b);
+  double *v = row(vcm_,b), *L = row(angmom_,b);
   for (int k = 0; k < 3; k++) {
-    if (moves[k]) v[k] += dtfm*force[k];
-    if (turns[k]) L[k] += dtf*torque[k];
+    v[k] += moves[k] ? dtfm*force[k] : 0.;
+    L[k] += turns[k] ? dtf*torque[k] : 0.;
   }
 }
 
@@ -54,29 +65,9 @@ void FixMultisphereClump::half_kick(int b)
 
 void FixMultisphereClump::turn(int begin, int end)
 {
-  RotationBlock block;
-  for (int i = 0; i < RotationBlock::SIZE; i++) {
-    const int b = std::min(begin + i,end - 1);
-    for (int k = 0; k < 4; k++) block.q[k][i] = quat_(b)[k];
-    for (int k = 0; k < 3; k++) {
-      block.L[k][i] = angmom_(b)[k];
-      block.inertia[k][i] = inertia_(b)[k];
-      block.axes[k][i] = ex_(b)[k];
-      block.axes[k+3][i] = ey_(b)[k];
-      block.axes[k+6][i] = ez_(b)[k];
-    }
-  }
-  block.turn(dtv);
-  for (int b = begin; b < end; b++) {
-    const int i = b - begin;
-    for (int k = 0; k < 4; k++) quat_(b)[k] = block.q[k][i];
-    for (int k = 0; k < 3; k++) {
-      omega_(b)[k] = block.w[k][i];
-      ex_(b)[k] = block.axes[k][i];
-      ey_(b)[k] = block.axes[k+3][i];
-      ez_(b)[k] = block.axes[k+6][i];
-    }
-  }
+  const Bodies bodies = {row(quat_,0), row(ex_,0), row(ey_,0), row(ez_,0), row(omega_,0),
+                         row(angmom_,0), row(inertia_,0)};
+  turn_bodies(bodies,begin,end,dtv);
 }
 
 /* ----------------------------------------------------------------------
@@ -85,7 +76,7 @@ void FixMultisphereClump::turn(int begin, int end)
 
 void FixMultisphereClump::place(int b)
 {
-  spheres_.place(b,ex_(b),ey_(b),ez_(b),xcm_(b),vcm_(b),omega_(b),
+  spheres_.place(b,row(ex_,b),row(ey_,b),row(ez_,b),row(xcm_,b),row(vcm_,b),row(omega_,b),
                  atom->x[0],atom->v[0],atom->omega[0]);
   if (spheres_.shifted(b))
     for (int n = spheres_.begin(b); n < spheres_.end(b); n++) {
@@ -113,8 +104,9 @@ void FixMultisphereClump::initial_integrate(int vflag)
   for (int b = 0; b < nbody; b += RotationBlock::SIZE) {
     const int end = std::min(b + RotationBlock::SIZE,nbody);
     for (int i = b; i < end; i++) half_kick(i);
-    for (int i = b; i < end; i++)
-      for (int k = 0; k < 3; k++) xcm_(i)[k] += dtv*vcm_(i)[k];
+    double *x = row(xcm_,0);
+    const double *v = row(vcm_,0);
+    for (int k = 3*b; k < 3*end; k++) x[k] += dtv*v[k];
     turn(b,end);
     for (int i = b; i < end; i++) place(i);
   }
@@ -141,8 +133,8 @@ void FixMultisphereClump::final_integrate()
   for (int b = 0; b < nbody; b++) {
     sum_forces(b,gravity,false);
     half_kick(b);
-    spin(angmom_(b),ex_(b),ey_(b),ez_(b),inertia_(b),omega_(b));
-    spheres_.set_velocity(b,vcm_(b),omega_(b),atom->v[0],atom->omega[0]);
+    spin(row(angmom_,b),row(ex_,b),row(ey_,b),row(ez_,b),row(inertia_,b),row(omega_,b));
+    spheres_.set_velocity(b,row(vcm_,b),row(omega_,b),atom->v[0],atom->omega[0]);
   }
 
   if (images()) {
@@ -174,7 +166,7 @@ void FixMultisphereClump::calc_force(bool setupflag)
 
 void FixMultisphereClump::sum_forces(int b, const double *gravity, bool setupflag)
 {
-  double *force = fcm_(b), *torque = torque_(b);
+  double *force = row(fcm_,b), *torque = row(torque_,b);
   spheres_.gather(b,atom->f[0],atom->torque[0],force,torque);
   const double m = multisphere_.mass(b);
   for (int k = 0; k < 3; k++) force[k] += m*gravity[k];

@@ -2,8 +2,10 @@
 #include "body_rotation.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <vector>
 
 using namespace LAMMPS_NS;
 using Eigen::Matrix3d;
@@ -119,4 +121,52 @@ TEST(BodyRotation, SpinIsThatOfTheAngularMomentum)
   spin(L.data(), Q.col(0).data(), Q.col(1).data(), Q.col(2).data(), I.data(), w);
   const Vector3d expected = Q * Vector3d(local[0], local[1], 0);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(w[k], expected[k], 1e-12);
+}
+
+TEST(BodyRotation, OfManyBodiesIsThatOfEach)
+{
+  // more than a block and not a whole number of them
+  enum { N = 2 * RotationBlock::SIZE + 3 };
+  double q[4 * N], ex[3 * N], ey[3 * N], ez[3 * N], w[3 * N] = {}, L[3 * N], inertia[3 * N];
+  for (int b = 0; b < N; ++b) {
+    const Quaterniond turned(Eigen::AngleAxisd(0.1 * b, Vector3d(1, b, -2).normalized()));
+    const Matrix3d axes = turned.toRotationMatrix();
+    const double values[4] = {turned.w(), turned.x(), turned.y(), turned.z()};
+    std::copy(values, values + 4, q + 4 * b);
+    for (int k = 0; k < 3; ++k) {
+      ex[3 * b + k] = axes(k, 0);
+      ey[3 * b + k] = axes(k, 1);
+      ez[3 * b + k] = axes(k, 2);
+      L[3 * b + k] = 1e-9 * (k - 0.3 * b);
+      inertia[3 * b + k] = 1e-10 * (1 + k);
+    }
+  }
+  for (int begin : {0, 5}) {
+    const int end = begin + (begin ? 2 : N);
+    std::vector<RotationBlock> each;
+    for (int b = begin; b < end; ++b) {
+      RotationBlock block = filled(Quaterniond::Identity(), Vector3d(1, 1, 1), Vector3d(0, 0, 0));
+      for (int k = 0; k < 4; ++k) block.q[k][0] = q[4 * b + k];
+      for (int k = 0; k < 3; ++k) {
+        block.L[k][0] = L[3 * b + k];
+        block.inertia[k][0] = inertia[3 * b + k];
+        block.axes[k][0] = ex[3 * b + k];
+        block.axes[k + 3][0] = ey[3 * b + k];
+        block.axes[k + 6][0] = ez[3 * b + k];
+      }
+      block.turn(1e-3);
+      each.push_back(block);
+    }
+    turn_bodies({q, ex, ey, ez, w, L, inertia}, begin, end, 1e-3);
+    for (int b = begin; b < end; ++b) {
+      const RotationBlock &block = each[b - begin];
+      for (int k = 0; k < 4; ++k) EXPECT_NEAR(q[4 * b + k], block.q[k][0], 1e-15);
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(ex[3 * b + k], block.axes[k][0], 1e-15);
+        EXPECT_NEAR(ey[3 * b + k], block.axes[k + 3][0], 1e-15);
+        EXPECT_NEAR(ez[3 * b + k], block.axes[k + 6][0], 1e-15);
+        EXPECT_NEAR(w[3 * b + k], block.w[k][0], 1e-12);
+      }
+    }
+  }
 }

@@ -14,7 +14,7 @@ namespace {
 typedef double Vector __attribute__((vector_size(32)));
 typedef double Two __attribute__((vector_size(16)));
 
-CLAY_INLINE void get(const double *p, Vector &a) { a = Vector{p[0], p[1], p[2], 0.0}; }
+CLAY_INLINE void get(const double *p, Vector &a) { a = Vector{p[0], p[1], p[2], p[2]}; }
 
 CLAY_INLINE void put(double *p, const Vector &a)
 {

@@ -200,7 +200,7 @@ def stock_clumps(text):
     text = re.sub(r"pair_style hybrid/overlay gran/lean (.*?) coul/clump.*", r"pair_style gran \1", text)
     text = re.sub(r"pair_coeff \* \* gran/lean", "pair_coeff * *", text)
     text = re.sub(r"pair_coeff .*coul/clump.*\n", "", text)
-    return text.replace("multisphere/clump", "multisphere")
+    return "variable wall_style string wall/gran\n" + text.replace("multisphere/clump", "multisphere")
 
 
 def _summary(folder):

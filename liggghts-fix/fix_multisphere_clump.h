@@ -101,7 +101,7 @@ class FixMultisphereClump : public FixMultisphere {
   void place(int ibody);
   void sum_forces(int ibody, const double *gravity, bool setupflag);
   void apply_drag(int ibody, bool setupflag);
-  void half_kick(int ibody);
+  void half_kick(int begin, int end);
   void turn(int begin, int end);
   Fluid &stored(int ibody);
   Vectors &vectors(const char *name);

@@ -47,15 +47,18 @@ bool FixMultisphereClump::images() const
 
 /* ---------------------------------------------------------------------- */
 
-void FixMultisphereClump::half_kick(int b)
+void FixMultisphereClump::half_kick(int begin, int end)
 {
-  const double dtfm = dtf/multisphere_.mass(b);
-  const double *force = row(fcm_,b), *torque = row(torque_,b);
-  const bool *moves = row(fflag_,b), *turns = row(tflag_,b);
-  double *v = row(vcm_,b), *L = row(angmom_,b);
-  for (int k = 0; k < 3; k++) {
-    v[k] += moves[k] ? dtfm*force[k] : 0.;
-    L[k] += turns[k] ? dtf*torque[k] : 0.;
+  if (begin == end) return;
+  const double *force = row(fcm_,0), *torque = row(torque_,0), half = dtf;
+  const bool *moves = row(fflag_,0), *turns = row(tflag_,0);
+  double *v = row(vcm_,0), *L = row(angmom_,0);
+  for (int b = begin; b < end; b++) {
+    const double dtfm = half/multisphere_.mass(b);
+    for (int k = 3*b; k < 3*b+3; k++) {
+      v[k] += moves[k] ? dtfm*force[k] : 0.;
+      L[k] += turns[k] ? half*torque[k] : 0.;
+    }
   }
 }
 
@@ -103,7 +106,7 @@ void FixMultisphereClump::initial_integrate(int vflag)
   const int nbody = multisphere_.n_body();
   for (int b = 0; b < nbody; b += RotationBlock::SIZE) {
     const int end = std::min(b + RotationBlock::SIZE,nbody);
-    for (int i = b; i < end; i++) half_kick(i);
+    half_kick(b,end);
     double *x = row(xcm_,0);
     const double *v = row(vcm_,0);
     for (int k = 3*b; k < 3*end; k++) x[k] += dtv*v[k];
@@ -130,9 +133,9 @@ void FixMultisphereClump::final_integrate()
   double gravity[3] = {0.,0.,0.};
   if (fix_gravity_) fix_gravity_->get_gravity(gravity);
   const int nbody = multisphere_.n_body();
+  for (int b = 0; b < nbody; b++) sum_forces(b,gravity,false);
+  half_kick(0,nbody);
   for (int b = 0; b < nbody; b++) {
-    sum_forces(b,gravity,false);
-    half_kick(b);
     spin(row(angmom_,b),row(ex_,b),row(ey_,b),row(ez_,b),row(inertia_,b),row(omega_,b));
     spheres_.set_velocity(b,row(vcm_,b),row(omega_,b),atom->v[0],atom->omega[0]);
   }

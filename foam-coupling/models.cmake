@@ -77,6 +77,14 @@ macro(clayfoam_model_tests)
     add_test(NAME ${name} COMMAND ${name})
   endforeach()
 
+  # the solver's own operators
+  add_executable(faceOperatorsTest
+    ${CLAYFOAM_MODEL_DIR}/clayFoam/faceOperatorsTest.C
+    ${CLAYFOAM_MODEL_DIR}/clayFoam/faceOperators.C
+    ${CLAYFOAM_MODEL_DIR}/clayFoam/keptFactorPreconditioner.C ${environment})
+  target_link_libraries(faceOperatorsTest PRIVATE clayTestMesh Eigen3::Eigen)
+  add_test(NAME faceOperatorsTest COMMAND faceOperatorsTest)
+
   # the same on several ranks
   add_executable(parallelMappingTest
     ${CLAYFOAM_MODEL_DIR}/tests/parallelMappingTest.C ${environment})

@@ -107,6 +107,16 @@ Foam::label Foam::fluidSolver::subSteps(const scalar interval) const
 }
 
 
+bool Foam::fluidSolver::oneStep(const scalar time) const
+{
+    const dictionary& dict = runTime_.controlDict();
+    return
+        quiet_->active() && adjusts(dict)
+     && time <= dict.lookupOrDefault<scalar>("maxDeltaT", GREAT)
+     && time*courantRate() <= maxCo(dict);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
@@ -228,11 +238,11 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
     );
 
     // a flow that grows within the interval gets shorter steps at once
-    scalar left = interval;
-    label n = subSteps(left);
+    scalar left = interval, time = 0;
+    label n = quiet_->late() > 0 ? 1 : subSteps(left);
     while (n > 0)
     {
-        const scalar dt = left/n;
+        scalar dt = left/n;
         runTime_.setEndTime(GREAT);
         runTime_.setDeltaT(dt, false);
         runTime_.run();
@@ -242,29 +252,37 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
             // the sum of the steps, without their rounding
             runTime_.setTime(coupling.endOfInterval(), runTime_.timeIndex());
         }
+        left -= dt;
 
+        if (quiet_->late() > 0)
+        {
+            // one step over what was left out, too
+            dt += quiet_->late();
+            runTime_.setDeltaT(dt, false);
+        }
         coupling.advance();
         if
         (
             !coupling.properties().frozenFluid()
-         && dt == interval
+         && n == 1 && time == 0 && !runTime_.writeTime()
+         && oneStep(dt + interval)
          && quiet_->holds
             (
-                U_, coupling.n(), coupling.ddtN(), coupling.Sp(),
+                U_, p_, coupling.n(), coupling.ddtN(), coupling.Sp(),
                 coupling.source(), interval
             )
         )
         {
             // nothing is given: what the particles give is owed
             ++coupling.statistics().quietIntervals;
-            return runTime_.writeTime();
+            return false;
         }
         if (!coupling.properties().frozenFluid())
         {
             // the iterations of PIMPLE are said only when asked for
             const label level = messageStream::level;
             messageStream::level = coupling.properties().verbose() ? level : 0;
-            step(coupling);
+            step(coupling, min(dt, interval)/dt);
             messageStream::level = level;
         }
         coupling.record();
@@ -274,11 +292,14 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
             coupling.statistics().courantMax,
             courantRate()*dt
         );
-        left -= dt;
+        time += dt;
         n = n > 1 ? subSteps(left) : 0;
         writeDue = runTime_.writeTime() || writeDue;
     }
-    quiet_->solved(before, U_);
+    quiet_->solved
+    (
+        before, U_, p_, coupling.Sp(), coupling.source(), time
+    );
 
     return writeDue;
 }

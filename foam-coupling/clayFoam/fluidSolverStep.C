@@ -199,7 +199,7 @@ bool Foam::fluidSolver::settled
 }
 
 
-void Foam::fluidSolver::step(particleCoupling& coupling)
+void Foam::fluidSolver::step(particleCoupling& coupling, const scalar part)
 {
     fv::options& fvOptions = fv::options::New(mesh_);
 
@@ -214,7 +214,10 @@ void Foam::fluidSolver::step(particleCoupling& coupling)
 
     while (pimple_.loop())
     {
-        tmp<fvVectorMatrix> tUEqn(momentum(coupling, ddtN, fvOptions));
+        tmp<fvVectorMatrix> tUEqn
+        (
+            momentum(coupling, scalarField(part*ddtN), fvOptions)
+        );
         fvVectorMatrix& UEqn = tUEqn.ref();
 
         if (pimple_.momentumPredictor())

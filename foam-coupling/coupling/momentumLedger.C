@@ -244,18 +244,21 @@ void Foam::momentumLedger::prepare(const scalar dt)
     vectorField& F = F_.primitiveFieldRef();
     const vectorField& owed = owed_.primitiveField();
 
+    // of a step that is late, what acts now has this part, in time and size
+    const scalar now = min(dt, interval_), part = now/dt;
+
     forAll(Sp, celli)
     {
         // K dt for K dt << m, m for K dt >> m
         const scalar m = mass_[celli];
         Sp[celli] =
             m > VSMALL
-          ? -m*std::expm1(-K_[celli]*dt/inertia(celli))/(rho_*dt)
+          ? -m*std::expm1(-K_[celli]*now/inertia(celli))/(rho_*dt)
           : 0;
 
         F[celli] =
             Sp[celli]*velocity_[celli]
-          + (reaction_[celli] + owed[celli]/interval_)/rho_;
+          + (part*reaction_[celli] + owed[celli]/max(dt, interval_))/rho_;
     }
 
     Sp_.correctBoundaryConditions();
@@ -267,6 +270,7 @@ void Foam::momentumLedger::record(const volVectorField& U, const scalar dt)
 {
     const scalarField& Sp = Sp_.primitiveField();
     const vectorField& F = F_.primitiveField();
+    const scalar now = min(dt, interval_);
 
     forAll(given_, celli)
     {
@@ -277,7 +281,7 @@ void Foam::momentumLedger::record(const volVectorField& U, const scalar dt)
         {
             velocity_[celli] =
                 Uc
-              + (velocity_[celli] - Uc)*exp(-K_[celli]*dt/inertia(celli));
+              + (velocity_[celli] - Uc)*exp(-K_[celli]*now/inertia(celli));
         }
     }
 }

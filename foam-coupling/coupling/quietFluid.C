@@ -2,51 +2,17 @@
 
 #include "quietFluid.H"
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::quietFluid::quietFluid(const scalar fraction)
-:
-    fraction_(fraction),
-    largest_(0),
-    change_(-1),
-    left_(0),
-    missed_(0),
-    boundary_()
-{}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-bool Foam::quietFluid::holds
+bool Foam::quietFluid::sameBoundary
 (
     volVectorField& U,
-    const volScalarField& n,
-    const volScalarField& ddtN,
-    const volScalarField& Sp,
-    const volVectorField& F,
-    const scalar interval
-)
+    volScalarField& p,
+    const scalar e,
+    const scalar time
+) const
 {
-    if (!active() || change_ < 0)
-    {
-        return false;
-    }
-
-    // the same on all ranks
-    const scalar e = fraction_*largest_;
-    if (!(change_*most <= e - missed_) || left_ >= most)
-    {
-        return false;
-    }
-
     bool same = true;
-    for (label celli = 0; same && celli < U.size(); ++celli)
-    {
-        const vector source(F[celli] - Sp[celli]*U[celli]);
-        same =
-            mag(ddtN[celli])*interval <= 1e-9
-         && mag(source)*interval <= e*n[celli];
-    }
 
     U.correctBoundaryConditions();
     forAll(U.boundaryField(), patchi)
@@ -55,15 +21,77 @@ bool Foam::quietFluid::holds
         if (same && !Up.coupled())
         {
             same =
-                Up.size() == boundary_[patchi].size()
-             && (Up.empty() || max(mag(Up - boundary_[patchi])) <= e);
+                Up.size() == boundaryU_[patchi].size()
+             && (Up.empty() || max(mag(Up - boundaryU_[patchi])) <= e);
         }
+
+        fvPatchScalarField& pp = p.boundaryFieldRef()[patchi];
+        if (pp.fixesValue() && !pp.coupled())
+        {
+            // a change of p sets the next cell going
+            pp.evaluate();
+            const scalarField& was = boundaryP_[patchi];
+            const scalarField& slope = pp.patch().deltaCoeffs();
+            for (label i = 0; same && i < pp.size(); ++i)
+            {
+                same = mag(pp[i] - was[i])*slope[i]*time <= e;
+            }
+        }
+    }
+    return same;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::quietFluid::quietFluid(const scalar fraction)
+:
+    fraction_(fraction),
+    largest_(0),
+    rate_(-1),
+    left_(0),
+    late_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::quietFluid::holds
+(
+    volVectorField& U,
+    volScalarField& p,
+    const volScalarField& n,
+    const volScalarField& ddtN,
+    const volScalarField& Sp,
+    const volVectorField& F,
+    const scalar interval
+)
+{
+    // the same on all ranks
+    const scalar e = fraction_*largest_;
+    const scalar time = late_ + interval;
+    if
+    (
+        !active() || rate_ < 0 || left_ >= most
+     || !(rate_*(time + interval) <= e)
+    )
+    {
+        return false;
+    }
+
+    bool same = sameBoundary(U, p, e, time);
+    for (label celli = 0; same && celli < U.size(); ++celli)
+    {
+        const vector source(F[celli] - Sp[celli]*U[celli]);
+        same =
+            mag(ddtN[celli])*interval <= 1e-9
+         && mag(source - source_[celli])*time <= e*n[celli];
     }
 
     if (returnReduce(same, andOp<bool>()))
     {
         ++left_;
-        missed_ += change_;
+        late_ = time;
         return true;
     }
     return false;
@@ -73,7 +101,11 @@ bool Foam::quietFluid::holds
 void Foam::quietFluid::solved
 (
     const vectorField& before,
-    const volVectorField& U
+    const volVectorField& U,
+    const volScalarField& p,
+    const volScalarField& Sp,
+    const volVectorField& F,
+    const scalar time
 )
 {
     if (!active())
@@ -81,19 +113,25 @@ void Foam::quietFluid::solved
         return;
     }
 
-    const vectorField& cells = U.primitiveField();
-    largest_ = max(largest_, gMax(mag(cells)()));
-    change_ = gMax(mag(cells - before)());
-    left_ = 0;
-    if (change_ > fraction_*largest_)
+    scalar change = 0;
+    source_.setSize(U.size());
+    forAll(source_, celli)
     {
-        // it moves: what it missed before is no part of this
-        missed_ = 0;
+        largest_ = max(largest_, mag(U[celli]));
+        change = max(change, mag(U[celli] - before[celli]));
+        source_[celli] = F[celli] - Sp[celli]*U[celli];
     }
+    reduce(largest_, maxOp<scalar>());
+    reduce(change, maxOp<scalar>());
+    rate_ = change/time;
+    left_ = 0;
+    late_ = 0;
 
-    boundary_.setSize(U.boundaryField().size());
-    forAll(boundary_, patchi)
+    boundaryU_.setSize(U.boundaryField().size());
+    boundaryP_.setSize(U.boundaryField().size());
+    forAll(boundaryU_, patchi)
     {
-        boundary_[patchi] = U.boundaryField()[patchi];
+        boundaryU_[patchi] = U.boundaryField()[patchi];
+        boundaryP_[patchi] = p.boundaryField()[patchi];
     }
 }

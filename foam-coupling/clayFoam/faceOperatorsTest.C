@@ -1,0 +1,190 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+// faceOperators against OpenFOAM's operators, and keptFactor against FDIC.
+
+#include "faceOperators.H"
+#include "keptFactorPreconditioner.H"
+#include "testMesh.H"
+
+#include "fixedValueFvPatchFields.H"
+#include "fvm.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+test::polyhedra shaken()
+{
+    test::polyhedra cells(test::block({5, 4, 6}, Zero, {1, 1, 1.3}));
+    test::shake(cells, 0.02, 7, false);
+    return cells;
+}
+
+
+template<class Type>
+GeometricField<Type, fvPatchField, volMesh> fixed
+(
+    const fvMesh& mesh,
+    const word& name,
+    const std::function<Type(const point&)>& value
+)
+{
+    GeometricField<Type, fvPatchField, volMesh> f
+    (
+        IOobject(name, mesh.time().timeName(), mesh),
+        mesh,
+        dimensioned<Type>(dimless, Zero),
+        fixedValueFvPatchField<Type>::typeName
+    );
+    forAll(f, celli)
+    {
+        f[celli] = value(mesh.C()[celli]);
+    }
+    forAll(f.boundaryField(), patchi)
+    {
+        const vectorField& at = mesh.Cf().boundaryField()[patchi];
+        forAll(at, i)
+        {
+            f.boundaryFieldRef()[patchi][i] = value(at[i]);
+        }
+    }
+    return f;
+}
+
+
+template<class Type>
+scalar difference(const Field<Type>& a, const Field<Type>& b)
+{
+    return max(mag(a - b))/max(mag(b));
+}
+
+} // End namespace
+
+
+TEST(faceOperators, areThoseOfOpenFOAM)
+{
+    const test::meshCase c(shaken());
+    const fvMesh& mesh = c.mesh();
+    const faceOperators faces(mesh);
+    ASSERT_FALSE(faces.orthogonal());
+
+    const auto p = fixed<scalar>
+    (
+        mesh, "p", [](const point& x) { return sin(3*x.x()) + sqr(x.z()); }
+    );
+    const auto U = fixed<vector>
+    (
+        mesh, "U",
+        [](const point& x) { return vector(x.y(), cos(4*x.z()), sqr(x.x())); }
+    );
+
+    surfaceScalarField to("to", fvc::interpolate(p));
+    scalarField onFaces, cells, expected;
+    faces.interpolate(p, "interpolate(p)", onFaces);
+    faces.take(to, expected);
+    EXPECT_LE(difference(onFaces, expected), 1e-14);
+
+    faces.flux(U, "flux(U)", onFaces);
+    faces.take(fvc::flux(U)(), expected);
+    EXPECT_LE(difference(onFaces, expected), 1e-13);
+
+    faces.sum(onFaces, cells);
+    const scalarField divergence(fvc::div(fvc::flux(U))().primitiveField());
+    EXPECT_LE
+    (
+        difference(scalarField(cells/mesh.V()), divergence),
+        1e-12
+    );
+
+    faces.put(onFaces, to);
+    vectorField back, other;
+    faces.reconstruct(onFaces, back);
+    EXPECT_LE
+    (
+        difference(back, fvc::reconstruct(to)().primitiveField()),
+        1e-13
+    );
+    vectorField both;
+    faces.reconstruct(onFaces, scalarField(2*onFaces), other, both);
+    EXPECT_LE(difference(both, vectorField(2*back)), 1e-14);
+
+    volTensorField gradU("gradU", fvc::grad(U));
+    const volTensorField expectedU("expectedU", gradU);
+    gradU == dimensionedTensor(gradU.dimensions(), Zero);
+    faces.grad(U, gradU);
+    EXPECT_LE
+    (
+        difference(gradU.primitiveField(), expectedU.primitiveField()),
+        1e-13
+    );
+    forAll(gradU.boundaryField(), patchi)
+    {
+        const tensorField& a = gradU.boundaryField()[patchi];
+        const tensorField& b = expectedU.boundaryField()[patchi];
+        EXPECT_LE(difference(a, b), 1e-12);
+    }
+
+    // the slope through skewed faces
+    volVectorField gradp("gradp", fvc::grad(p));
+    faces.grad(p, gradp);
+    faces.correction(gradp, onFaces);
+    surfaceScalarField slope("slope", fvc::snGrad(p));
+    faces.take(slope, expected);
+    forAll(mesh.owner(), f)
+    {
+        const scalar along =
+            faces.deltaCoeffs()[f]
+           *(p[mesh.neighbour()[f]] - p[mesh.owner()[f]]);
+        EXPECT_NEAR(along + onFaces[f], expected[f], 1e-12);
+    }
+}
+
+
+TEST(faceOperators, anEvenBlockIsOrthogonal)
+{
+    const test::meshCase c(test::block({5, 4, 6}, Zero, {1, 1, 1.3}));
+    const faceOperators faces(c.mesh());
+    EXPECT_TRUE(faces.orthogonal());
+    EXPECT_TRUE(faces.is("interpolationSchemes", "any", "linear"));
+    EXPECT_FALSE(faces.is("interpolationSchemes", "any", "upwind phi"));
+}
+
+
+TEST(keptFactor, solvesWhatChangesInFewIterations)
+{
+    const test::meshCase c(shaken());
+    const fvMesh& mesh = c.mesh();
+    const auto x = [](const point& at) { return at.x() + sqr(at.y()); };
+
+    const auto solve = [&](const word& preconditioner, const scalar t)
+    {
+        auto p = fixed<scalar>(mesh, "p", x);
+        p.primitiveFieldRef() = 0;
+        const surfaceScalarField k
+        (
+            "k", fvc::interpolate(1 + t*fixed<scalar>(mesh, "x", x))
+        );
+        fvScalarMatrix equation(fvm::laplacian(k, p));
+        dictionary controls;
+        controls.add("solver", word("PCG"));
+        controls.add("preconditioner", preconditioner);
+        controls.add("tolerance", 1e-11);
+        controls.add("relTol", 0);
+        const label n = equation.solve(controls).nIterations();
+        return std::make_pair(n, scalarField(p.primitiveField()));
+    };
+
+    EXPECT_LE(solve("keptFactor", 0).first, 2);
+    for (const scalar t : {0.01, 0.02, 0.05, 0.5, 5.0, 5.01})
+    {
+        const auto kept = solve("keptFactor", t);
+        const auto other = solve("FDIC", t);
+        EXPECT_LT(kept.first, other.first);
+        EXPECT_LE(difference(kept.second, other.second), 1e-9);
+    }
+
+    // it has noticed that it had become too far from the matrix
+    EXPECT_LE(solve("keptFactor", 5.01).first, 4);
+}

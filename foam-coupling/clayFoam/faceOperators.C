@@ -94,7 +94,7 @@ bool Foam::faceOperators::is
     const string& wanted
 ) const
 {
-    const word key(section + name);
+    const string key(section + ' ' + name + ' ' + wanted);
     const auto found = known_.cfind(key);
     if (found.found())
     {

@@ -341,7 +341,7 @@ Foam::couplingProperties::couplingProperties(const Time& runTime)
             << "keepMapping " << keepMapping_ << " must lie between 0 and 0.1"
             << " radii" << exit(FatalIOError);
     }
-    quietFluid_ = take<scalar>("quietFluid", 1e-5);
+    quietFluid_ = take<scalar>("quietFluid", 1e-4);
     if (!(quietFluid_ >= 0 && quietFluid_ <= 0.1))
     {
         FatalIOErrorInFunction(*this)

@@ -82,9 +82,11 @@ bool Foam::quietFluid::holds
     bool same = sameBoundary(U, p, e, time);
     for (label celli = 0; same && celli < U.size(); ++celli)
     {
+        // Sp is the mean over the whole time, the drag of this interval only
         const vector source(F[celli] - Sp[celli]*U[celli]);
         same =
             mag(ddtN[celli])*interval <= 1e-9
+         && Sp[celli]*sqr(time) <= n[celli]*interval
          && mag(source - source_[celli])*time <= e*n[celli];
     }
 

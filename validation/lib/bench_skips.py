@@ -2,11 +2,10 @@
 """What is skipped, what that gains and what it costs in accuracy: validation/bench skips.
 
 Each row is a pair of runs, one in which the feature's work is done and one in
-which it is left out, made in turn, on processor time; where work is only done for what a scene
-has, the pair is a scene with and without it.
+which it is left out, made in turn, in processor time; where work is only done
+for what a scene has, the pair is a scene with and without it.
 """
 
-import csv
 import filecmp
 import json
 import os
@@ -65,27 +64,18 @@ def _with_bodies(text):
     return text.replace("include packing.liggghts", "fix bodies all multisphere/clump\ninclude packing.liggghts")
 
 
-def _far(text):
-    """Charges of bodies more than 6 mm apart at every fourth evaluation."""
-    return re.sub(r"(pair_style .* hold)\n", r"\1 far 0.006 4\n", text)
-
-
-EDITS = {"without charges": _without_charges, "with bodies": _with_bodies, "far": _far}
+EDITS = {"without charges": _without_charges, "with bodies": _with_bodies}
 
 
 # ---- notes
-
-
-def _each(report, what):
-    return report["dem"][what] / (report["dem"]["particles"] * report["dem"]["exchanges"])
 
 
 def _wire(work, skip):
     """Bytes a particle and exchange, to the CFD half and back."""
     told = []
     for r in (work, skip):
-        back = r["cfd"]["bytes_sent"] / (r["dem"]["particles"] * r["dem"]["exchanges"])
-        told.append(f"{_each(r, 'bytes_sent'):.0f} + {back:.0f}")
+        each = r["dem"]["particles"] * r["dem"]["exchanges"]
+        told.append(" + ".join(f"{r[half]['bytes_sent'] / each:.0f}" for half in ("dem", "cfd")))
     return (f"{told[0]} bytes a particle and exchange, there and back; {told[1]} without: no field is sent that no model "
             "asks for; the error is what the models themselves do")
 
@@ -148,10 +138,9 @@ def plan(quick=False):
         "the style with no charge, against a script without it: what it costs unused", ("", "without charges"))
     add("Coulomb between evaluations", "every N hold", "loose clumps", dem, {"coulomb_steps": 1}, {},
         "evaluated at every step, against every tenth")
-    add("far Coulomb pairs", "far D M", "loose clumps", dem, {}, {},
-        "bodies more than 6 mm apart at every fourth evaluation", ("", "far"))
-    add("Coulomb beyond the cut-off", "cutoff", "loose clumps", dem, {"cutoff": 0.024}, {},
-        "24 mm against the paper's 12 mm; the sum does not converge with it, so the error is the model's")
+    add("far Coulomb pairs", "automatic: out of reach", "loose clumps", dem, {"cutoff": 0.024}, {},
+        "cutoff 24 mm against the paper's 12 mm: pairs out of reach are not visited. The sum does not converge with it, so the "
+        "error is the model's. Pairs within it, evaluated seldom, gain nothing at equal error (pair_coul_clump.md)")
     add("bodies", "no fix multisphere/clump", "loose spheres", dem, {}, {},
         "the style with no body, against a script without it: what it costs unused", ("with bodies", ""))
     add("torque", "forceModels", "loose spheres", wire, {"forces": _FORCES + "+torque"}, {"forces": _FORCES}, _wire)
@@ -260,9 +249,3 @@ def table(rows):
             said += f"{r['work_s']:>8.3g}{r['skipped_s']:>9.3g}{r['gain']:>7.2f}{100 * r['error']:>10.2g}"
         lines += [said.rstrip(), f"    {r['note']}"]
     return "\n".join(lines)
-
-
-def read(path):
-    """The rows of skips.csv."""
-    with open(path, encoding="utf-8", newline="") as f:
-        return list(csv.DictReader(f))

@@ -14,6 +14,7 @@ import bench_curve
 import bench_main
 import bench_plan
 import bench_run
+import bench_skips
 import bench_targets
 
 sys.path.insert(1, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "cases", "lib"))
@@ -126,6 +127,58 @@ class Targets(unittest.TestCase):
         self.assertEqual(rows[1]["measured"], None)
         self.assertEqual(rows[1]["note"], "not measured: no such case")
         self.assertIn("MISSED b", bench_targets.table(rows))
+
+
+class Skips(unittest.TestCase):
+    def test_every_variant_is_a_case(self):
+        for quick in (True, False):
+            rows = bench_skips.plan(quick)
+            for v in [v for r in rows for v in (r.work, r.skip)]:
+                bench_run_settings(casefile.Case(v.case), v.changes)
+            for word in ("charges", "bodies", "torque", "fields on the wire", "empty cells", "smoothing",
+                         "void-fraction updates", "quiescent fluid", "resting bed", "far Coulomb pairs"):
+                self.assertIn(word, [r.feature for r in rows])
+            # a pair differs in something
+            self.assertFalse([r.feature for r in rows if r.work.key() == r.skip.key()])
+
+    def test_edits_change_the_scripts(self):
+        for case, edit in (("clump-half", "without charges"), ("sphere-half", "with bodies")):
+            with open(os.path.join(casefile.CASES, case, "in.liggghts"), encoding="utf-8") as f:
+                text = f.read()
+            changed = bench_skips.EDITS[edit](text)
+            self.assertNotEqual(text, changed)
+            self.assertEqual("coul/clump" in changed, False)
+            self.assertEqual(edit == "with bodies", "fix bodies" in changed and case == "sphere-half")
+
+    def test_gain_is_the_median_of_pairs(self):
+        times = iter([4.0, 1.0, 9.0, 3.0, 10.0, 2.0])  # in turn
+        with tempfile.TemporaryDirectory() as top:
+            def run(variant):
+                place = os.path.join(top, str(variant.changes["x"]))
+                for half, text in (("DEM/dem.json", f'{{"dem_cpu_s": {next(times)}}}'), ("CFD/cfd.json", "{}")):
+                    os.makedirs(os.path.join(place, os.path.dirname(half)), exist_ok=True)
+                    with open(os.path.join(place, half), "w", encoding="utf-8") as f:
+                        f.write(text)
+                with open(os.path.join(place, "settling.csv"), "w", encoding="utf-8") as f:
+                    f.write(f"time_s,interface_m\n0,1\n1,{0.9 - 0.01 * variant.changes['x']}\n")
+                return place
+
+            work, skip = (bench_skips.Variant("sphere-half", {"x": x}) for x in (0, 1))
+            row = bench_skips.Row("f", "s", "c", ("dem.dem_cpu_s",), work, skip, lambda a, b: "so")
+            found = bench_skips.Pairs([row], 3, lambda _: None, run).go()[0]
+            self.assertEqual((found["work_s"], found["skipped_s"], found["gain"]), (9, 2, 4))
+            self.assertAlmostEqual(found["error"], np.sqrt(0.5) * 0.1)
+            self.assertEqual(bench_skips.error(os.path.join(top, "0"), os.path.join(top, "0")), 0)
+            self.assertIn("so", bench_skips.table([found]))
+
+    def test_a_run_that_fails_leaves_a_row(self):
+        def gone(_):
+            raise bench_skips.Broken("no such style")
+
+        row = bench_skips.plan(True)[0]
+        found = bench_skips.Pairs([row], 1, lambda _: None, gone).go()[0]
+        self.assertEqual((found["gain"], found["note"]), (None, "not measured: no such style"))
+        self.assertIn("no such style", bench_skips.table([found]))
 
 
 class History(unittest.TestCase):

@@ -63,6 +63,8 @@ def draw_skips(path, rows):
     for k, r in enumerate(rows):
         ax.barh(k, r["gain"] - 1, left=1, color=_COLOURS[0] if r["gain"] >= 1 else _COLOURS[1], height=0.6)
         error = "same to the bit" if r["error"] == 0 else f"error {100 * r['error']:.2g} %"
+        if r["error_of"] == "scene" and r["error"] > 0:
+            error = f"curve {100 * r['error']:.2g} % off: another scene"
         ax.annotate(f"{r['gain']:.2f}   {error}", (max(r["gain"], 1), k), xytext=(5, 0), textcoords="offset points",
                     va="center", fontsize=8)
     ax.set_yticks(range(len(rows)), [f"{r['feature']}, {r['scene']}" for r in rows], fontsize=8)

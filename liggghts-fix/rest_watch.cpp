@@ -63,8 +63,9 @@ double RestTrack::allowed(int n, double most) const
 {
   double way[3];
   drift(n, way);
-  const double speed = length(way), left = most - length(missed);
-  return left <= 0 ? 0 : speed > 0 ? left / speed : 1e300;
+  const double speed = length(way), left = std::max(0., most - length(missed));
+  // a rest may spend a part of what is left, so that there is something left for the next one
+  return speed > 1e-5 * most ? 0.25 * left / speed : 1e300;
 }
 
 void RestTrack::charge(int n, double left_out)

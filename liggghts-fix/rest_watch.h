@@ -44,7 +44,8 @@ struct RestTrack {
   void see(const double *x, int n);
   /// Its way in a window after n of them [m]: the line's slope, less twice that slope's standard error.
   void drift(int n, double way[3]) const;
-  /// Windows that may be left out before it misses `most` [m] in all.
+  /// Windows that may be left out before it misses a quarter of what `most` [m] leaves; no bound for one that
+  /// goes less than 1e-5 of that in a window.
   double allowed(int n, double most) const;
   /// So many were left out in this rest, of which n were computed.
   void charge(int n, double left_out);

@@ -42,7 +42,7 @@ TEST(RestTrack, findsASteadyWay)
   seen(5, 0.01, 0).drift(5, way);
   EXPECT_NEAR(way[0], 0.01, 1e-12);
   EXPECT_NEAR(way[1], 0, 1e-12);
-  EXPECT_NEAR(seen(5, 0.01, 0).allowed(5, 0.5), 50, 1e-6);
+  EXPECT_NEAR(seen(5, 0.01, 0).allowed(5, 0.5), 12.5, 1e-6);
   seen(1, 0.01, 0).drift(1, way);
   EXPECT_NEAR(way[0], 0.01, 1e-12);
 }
@@ -66,7 +66,13 @@ TEST(RestTrack, addsUpWhatItMissed)
   t.begin();
   const double x[] = {-0.01, 0, 0};
   t.see(x, 1);
-  EXPECT_NEAR(t.allowed(1, 0.5), 30, 1e-6);
+  EXPECT_NEAR(t.allowed(1, 0.5), 7.5, 1e-6);
+  RestTrack spent = seen(4, 0.01, 0);
+  spent.charge(4, 60);
+  EXPECT_EQ(spent.allowed(4, 0.5), 0);
+  spent.begin();
+  spent.see(spent.begun, 1);  // it has come to rest
+  EXPECT_GT(spent.allowed(1, 0.5), 1e6);
   t.charge(1, 10);  // and back
   EXPECT_NEAR(t.missed[0], 0.1, 1e-12);
 }

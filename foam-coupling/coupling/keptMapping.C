@@ -29,7 +29,7 @@ void Foam::keptMapping::restore(dispersedParticles& p)
          || last_.radius[i] != p.radius[i]
          || last_.volume[i] != p.volume[i]
          || magSqr(last_.position[i] - p.position[i])
-          > sqr(distance_*p.radius[i])
+          > sqr(max(distance_*p.radius[i], last_.slack[i]))
         )
         {
             moved.append(i);
@@ -42,6 +42,7 @@ void Foam::keptMapping::restore(dispersedParticles& p)
         p.cell = last_.cell;
         p.outside = last_.outside;
         p.owned = last_.owned;
+        p.slack = last_.slack;
         p.offset = last_.offset;
         p.cellIndex = last_.cellIndex;
         p.weight = last_.weight;
@@ -76,6 +77,7 @@ void Foam::keptMapping::keep(const dispersedParticles& p)
     last_.cell = p.cell;
     last_.outside = p.outside;
     last_.owned = p.owned;
+    last_.slack = p.slack;
     last_.offset = p.offset;
     last_.cellIndex = p.cellIndex;
     last_.weight = p.weight;

@@ -100,6 +100,64 @@ TEST(keptMapping, renewsOnlyWhatHasMoved)
 }
 
 
+// steps within the slack that the model states change no weight
+TEST(keptMapping, slackOfDividedIsExact)
+{
+    const test::polyhedra meshes[] =
+    {
+        test::block({15, 15, 15}, Zero, {0.04, 0.04, 0.04}),
+        test::tetBlock({8, 8, 8}, Zero, {0.04, 0.04, 0.04})
+    };
+    for (const test::polyhedra& cells : meshes)
+    {
+        const test::meshCase c(cells);
+        auto model = voidFractionModel::New
+        (
+            test::settings("voidFractionModel divided;"), c.mesh()
+        );
+        std::mt19937 random(3);
+        std::normal_distribution<scalar> step(0, 3e-6);
+        pointField x(cloud());
+        volScalarField n(c.field("n")), full(c.field("full"));
+        keptMapping kept(1e-12);
+        dispersedParticles p;
+        label renewed = 0;
+        const label passes = 60;
+
+        for (label pass = 0; pass < passes; ++pass)
+        {
+            fill(p, x);
+            kept.restore(p);
+            renewed += kept.moved().size();
+            p.locate(c.mesh());
+            model->map
+            (
+                p, nullptr, n, nullptr,
+                kept.allMoved(p) ? nullptr : &kept.moved()
+            );
+            kept.keep(p);
+
+            dispersedParticles q;
+            fill(q, x);
+            q.locate(c.mesh());
+            model->map(q, nullptr, full);
+
+            ASSERT_EQ(p.cell, q.cell) << pass;
+            ASSERT_LT
+            (
+                gMax(mag(n.primitiveField() - full.primitiveField())()), 1e-13
+            )   << pass;
+            for (point& y : x)
+            {
+                y += vector(step(random), step(random), step(random));
+            }
+        }
+        EXPECT_LT(renewed, many*passes/2);
+        EXPECT_GT(renewed, many + passes);
+    }
+}
+
+
 TEST(keptMapping, smallStepsAddUp)
 {
     keptMapping kept(1e-3);

@@ -234,7 +234,7 @@ Foam::label Foam::cellGeometry::find
 }
 
 
-void Foam::cellGeometry::nearPlanes
+Foam::scalar Foam::cellGeometry::nearPlanes
 (
     const label celli,
     const point& x,
@@ -242,6 +242,7 @@ void Foam::cellGeometry::nearPlanes
     DynamicList<nearPlane>& planes
 ) const
 {
+    scalar spare = GREAT;
     for (label k = start_[celli]; k < start_[celli + 1]; ++k)
     {
         const plane& p = planes_[k];
@@ -250,7 +251,12 @@ void Foam::cellGeometry::nearPlanes
         {
             planes.append(nearPlane{p.normal, front, p.across});
         }
+        else
+        {
+            spare = min(spare, -r - front);
+        }
     }
+    return spare;
 }
 
 

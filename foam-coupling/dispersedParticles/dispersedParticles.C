@@ -46,6 +46,8 @@ void Foam::dispersedParticles::setSize(const label n)
     owned.setSize(n);
     owned = false;
 
+    slack.setSize(n);
+    slack = 0;
     offset.setSize(n + 1);
     offset = 0;
     cellIndex.clear();

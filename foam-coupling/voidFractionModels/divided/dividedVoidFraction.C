@@ -107,7 +107,7 @@ Foam::label Foam::voidFractionModels::divided::meet
     }
 
     const label begin = planes_.size();
-    geometry.nearPlanes(celli, x, reach_*R, planes_);
+    slack_ = min(slack_, geometry.nearPlanes(celli, x, reach_*R, planes_));
     met_.append(met{celli, begin, planes_.size(), -1});
 
     return met_.size() - 1;
@@ -136,7 +136,15 @@ void Foam::voidFractionModels::divided::leave(const scalar R) const
             out[m] = further ? f : out[m];
             through[m] = further ? plane : through[m];
         }
+        slack_ = min(slack_, -front);
     }
+    scalar least = slack_;
+    for (label m = 0; m < n; ++m)
+    {
+        const scalar a = out[m] < 0 ? -out[m] : out[m];
+        least = a < least ? a : least;
+    }
+    slack_ = least;
 }
 
 
@@ -152,9 +160,8 @@ Foam::label Foam::voidFractionModels::divided::walk
     for (label step = 0; step < 30; ++step)
     {
         const met& here = met_[from];
-        scalar most = 1e-12*R;
+        scalar most = -GREAT;
         label across = -1;
-        bool out = false;
 
         for (label k = here.begin; k < here.end; ++k)
         {
@@ -164,12 +171,12 @@ Foam::label Foam::voidFractionModels::divided::walk
             {
                 most = front;
                 across = p.across;
-                out = true;
             }
         }
 
-        if (!out)
+        if (most <= 1e-12*R)
         {
+            slack_ = min(slack_, -most);
             return from;
         }
         if (across < 0)
@@ -192,7 +199,8 @@ Foam::voidFractionModels::divided::divided
 )
 :
     voidFractionModel(dict, mesh, typeName, {"points"}),
-    reach_(0)
+    reach_(0),
+    slack_(0)
 {
     const label n = coeffs_.lookupOrDefault<label>("points", 29);
     if (n < 1 || n > 100000)
@@ -242,6 +250,7 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
 
         planes_.clear();
         met_.clear();
+        slack_ = GREAT;
         if (home >= 0)
         {
             p.cellIndex.append(home);
@@ -252,6 +261,7 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
             {
                 // all points are within
                 p.weight.last() = 1;
+                p.slack[particle] = max(slack_ - 1e-9*R, 0.0);
                 p.offset[particle + 1] = p.weight.size();
                 continue;
             }
@@ -278,6 +288,7 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
             if (m < 0)
             {
                 // behind the boundary, around a corner or from nowhere
+                slack_ = 0;
                 scalar away;
                 const label celli =
                     geometry.find(x + R*points_[i], 0, home, away);
@@ -296,6 +307,8 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
             }
             p.weight[met_[m].entry] += share;
         }
+        // a plane touched within rounding is one that may be crossed
+        p.slack[particle] = max(slack_ - 1e-9*R, 0.0);
         p.offset[particle + 1] = p.weight.size();
     }
 }

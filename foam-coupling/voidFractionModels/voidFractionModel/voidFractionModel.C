@@ -37,12 +37,21 @@ void Foam::voidFractionModel::renew
         some.owned[k] = p.owned[i];
     }
     weights(some);
+    forAll(moved, k)
+    {
+        p.slack[moved[k]] = some.slack[k];
+    }
 
     // moved is in ascending order
-    const labelList offset(p.offset), cells(p.cellIndex);
-    const scalarField shares(p.weight);
-    DynamicList<label> newCells(cells.size());
-    DynamicList<scalar> newShares(cells.size());
+    const labelList offset(p.offset);
+    DynamicList<label> cells;
+    DynamicList<scalar> shares;
+    cells.transfer(p.cellIndex);
+    shares.transfer(p.weight);
+    DynamicList<label>& newCells = p.cellIndex;
+    DynamicList<scalar>& newShares = p.weight;
+    newCells.reserve(cells.size() + some.weight.size());
+    newShares.reserve(cells.size() + some.weight.size());
     label k = 0;
     for (label i = 0; i < p.size(); ++i)
     {
@@ -58,10 +67,6 @@ void Foam::voidFractionModel::renew
         k += renewed;
     }
     p.offset[p.size()] = newCells.size();
-    p.cellIndex.clear();
-    p.weight.clear();
-    p.cellIndex.append(newCells);
-    p.weight.append(newShares);
 }
 
 

@@ -7,6 +7,7 @@
 
 #include "farewell.h"
 #include "handshake.h"
+#include "packing.h"
 #include "session.h"
 #include "shared.h"
 #include "waiting.h"
@@ -99,40 +100,16 @@ void CfdSession::Impl::unpack(Particles& list) {
   for (auto& peer : peers) {
     const int n = peer.count();
     if (n == 0) continue;
-    const double* from = peer.state.data();
-    for (unsigned k = 0; k < fieldCount; ++k) {
-      const auto f = static_cast<Field>(k);
-      if (!receives.has(f)) continue;
-      const int width = components(f);
-      std::copy(from, from + width * n, list[f] + width * peer.first);
-      from += width * n;
-    }
+    const double* from = unpackFields(peer.state.data(), receives, n, list, peer.first);
     shared.add(from, static_cast<std::size_t>(peer.header.shares), peer.first);
   }
 }
 
-// Places in the DEM rank's list first, then field by field, then what is reported
 void CfdSession::Impl::pack(const Particles& answers, const std::vector<char>& owned,
                             Peer& peer) {
-  peer.answer.clear();
-  const int n = peer.count();
-  for (int i = 0; i < n; ++i)
-    if (owned[static_cast<std::size_t>(peer.first + i)]) peer.answer.push_back(i);
-  const std::size_t answered = peer.answer.size();
-  peer.answer.resize(answered * (1 + static_cast<std::size_t>(sends.width())) + wire::answerEnd);
+  packAnswers(answers, owned, sends, peer.first, peer.count(), wire::answerEnd, peer.answer);
   *(peer.answer.end() - 2) = reported;
   *(peer.answer.end() - 1) = late;
-  double* to = peer.answer.data() + answered;
-  for (unsigned k = 0; k < fieldCount; ++k) {
-    const auto f = static_cast<Field>(k);
-    if (!sends.has(f)) continue;
-    const int width = components(f);
-    for (std::size_t a = 0; a < answered; ++a) {
-      const double* from =
-          answers[f] + width * (peer.first + static_cast<int>(peer.answer[a]));
-      to = std::copy(from, from + width, to);
-    }
-  }
 }
 
 CfdSession::CfdSession(const CfdTerms& mine, const Box& rankBox) : impl_(new Impl) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "handshake.h"
+#include "packing.h"
 #include "routing.h"
 #include "terms.h"
 #include "test_peers.h"
@@ -65,6 +66,38 @@ TEST(ParticleList, FindsTheFirstValueThatIsNotFinite) {
   p[Field::position][3 * 2 + 1] = std::nan("");
   EXPECT_EQ(clay::firstNonFinite(p).particle, 2);
   EXPECT_EQ(clay::firstNonFinite(p).field, Field::position);
+}
+
+// Places come first, then each field of those that are owned, then the room.
+TEST(Packing, TakesWhatIsOwnedFromFirstOn) {
+  const FieldSet set{Field::fluidVelocity, Field::dragCoefficient};
+  for (const bool all : {true, false}) {
+    Particles answers(set);
+    answers.resize(5);
+    for (int i = 0; i < 5; ++i) {
+      answers[Field::dragCoefficient][i] = i;
+      for (int c = 0; c < 3; ++c) answers[Field::fluidVelocity][3 * i + c] = 10 * i + c;
+    }
+    const std::vector<char> owned{0, 1, static_cast<char>(all), 1, 0};
+    std::vector<double> message(100, 7.0);
+    packAnswers(answers, owned, set, 1, 3, 2, message);
+    const std::vector<double> places = all ? std::vector<double>{0, 1, 2} : std::vector<double>{0, 2};
+    ASSERT_EQ(message.size(), places.size() * 5 + 2);
+    const double* m = message.data();
+    for (const double i : places) EXPECT_EQ(*m++, i);
+    for (const double i : places) EXPECT_EQ(*m++, i + 1);
+    for (const double i : places)
+      for (int c = 0; c < 3; ++c) EXPECT_EQ(*m++, 10 * (i + 1) + c);
+
+    if (all) {
+      Particles back(set);
+      back.resize(4);
+      const double* end = unpackFields(message.data() + 3, set, 3, back, 1);
+      EXPECT_EQ(end, message.data() + 3 + 12);
+      EXPECT_EQ(back[Field::dragCoefficient][3], 3);
+      EXPECT_EQ(back[Field::fluidVelocity][5], 12);
+    }
+  }
 }
 
 TEST(BoxTest, IsReachedBySpheresThatTouchIt) {

@@ -21,8 +21,16 @@ void coulomb(benchmark::State &state)
   state.SetItemsProcessed(state.iterations() * scene.groups.x.size());
 }
 
+void packing(benchmark::State &state)
+{
+  clay::PackingScene scene(static_cast<int>(state.range(0)));
+  for (auto _ : state) scene.step();
+  state.SetItemsProcessed(state.iterations() * scene.count);
+}
+
 }  // namespace
 
 BENCHMARK(contact)->Arg(12)->Arg(40);
 BENCHMARK(coulomb)->ArgNames({"side", "single"})->Args({4, 0})->Args({4, 1})->Args({8, 0})->Args({8, 1});
+BENCHMARK(packing)->Arg(2000)->Arg(50000);
 BENCHMARK_MAIN();

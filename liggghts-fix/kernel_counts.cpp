@@ -1,6 +1,6 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a kernel once, for callgrind to count its instructions
-// (validation/instructions): kernel_counts contact|coulomb|coulomb_single
+// (validation/instructions): kernel_counts contact|coulomb|coulomb_single|packing
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -23,6 +23,13 @@ int main(int argc, char **argv)
     std::printf("spheres %zu\n", scene.groups.x.size());
     return std::isfinite(scene.groups.wrenches[0].f[0]) ? 0 : 1;
   }
-  std::fprintf(stderr, "kernel_counts: choose contact, coulomb or coulomb_single\n");
+  if (which == "packing") {
+    clay::PackingScene scene(2000);
+    scene.message.reserve(2000 * 8 + 2);
+    scene.step();
+    std::printf("doubles %zu\n", scene.message.size());
+    return scene.message.size() == 2000 * 8 + 2 ? 0 : 1;
+  }
+  std::fprintf(stderr, "kernel_counts: choose contact, coulomb, coulomb_single or packing\n");
   return 1;
 }

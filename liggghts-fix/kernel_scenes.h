@@ -8,6 +8,7 @@
 
 #include "contact_kernel.h"
 #include "coul_kernel.h"
+#include "packing.h"
 
 namespace clay {
 
@@ -64,6 +65,31 @@ struct CoulombScene {
   }
 
   void step() { groups.act(law); }
+};
+
+/// A message of particles taken in, and their answers packed.
+struct PackingScene {
+  FieldSet in{Field::position, Field::radius, Field::volume, Field::velocity,
+              Field::tag,      Field::impulse, Field::mass};
+  FieldSet out{Field::dragCoefficient, Field::fluidVelocity, Field::force};
+  int count;
+  std::vector<double> state, message;
+  Particles particles{in}, answers{out};
+  std::vector<char> owned;
+
+  explicit PackingScene(int n)
+      : count(n), state(static_cast<std::size_t>(n * in.width()), 1.5),
+        owned(static_cast<std::size_t>(n), 1)
+  {
+    particles.resize(n);
+    answers.resize(n);
+  }
+
+  void step()
+  {
+    unpackFields(state.data(), in, count, particles, 0);
+    packAnswers(answers, owned, out, 0, count, 2, message);
+  }
 };
 
 }  // namespace clay

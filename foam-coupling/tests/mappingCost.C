@@ -144,12 +144,12 @@ TEST(mappingCost, smoothing)
 
 
 // for counting instructions (validation/instructions)
-TEST(mappingCost, onePass)
+void onePass(const char* scheme)
 {
     const test::meshCase c(test::block({20, 20, 20}, Zero, {0.04, 0.04, 0.04}));
     const auto m = voidFractionModel::New
     (
-        test::settings("voidFractionModel exactOverlap;"),
+        test::settings(std::string("voidFractionModel ") + scheme + ";"),
         c.mesh()
     );
     const label n = 1000;
@@ -173,6 +173,9 @@ TEST(mappingCost, onePass)
     m->weights(p);
     EXPECT_GT(p.weight.size(), n);
 }
+
+TEST(mappingCost, onePass) { onePass("exactOverlap"); }
+TEST(mappingCost, onePassDivided) { onePass("divided"); }
 
 
 TEST(mappingCost, schemes)

@@ -18,6 +18,9 @@ KERNELS = {
     "coulomb": ("kernel_counts", ["coulomb"], "clay::ChargeGroups::act*"),
     "coulomb_single": ("kernel_counts", ["coulomb_single"], "clay::ChargeGroups::act*"),
     "overlap": ("mappingCost", ["--gtest_filter=mappingCost.onePass"], "Foam::voidFractionModels::exactOverlap::weights*"),
+    "divided": ("mappingCost", ["--gtest_filter=mappingCost.onePassDivided"], "Foam::voidFractionModels::divided::weights*"),
+    "unpack": ("kernel_counts", ["packing"], "clay::unpackFields*"),
+    "pack": ("kernel_counts", ["packing"], "clay::packAnswers*"),
 }
 
 

@@ -48,8 +48,7 @@ struct Place {
 }
 
 /* ----------------------------------------------------------------------
-   the same bodies and charges as before, all of this processor: their forces
-   still hold
+   the same bodies and charges as before, all of this processor
 ------------------------------------------------------------------------- */
 
 bool PairCoulClump::same_bodies() const
@@ -72,9 +71,9 @@ bool PairCoulClump::same_bodies() const
 void PairCoulClump::lay_out()
 {
   laid_out_ = neighbor->lastcall;
+  evaluated_ = -1;   // on one processor, too, so that their number does not show
   if (same_bodies()) return;
   const int n = nall_ = atom->nlocal + atom->nghost;
-  evaluated_ = -1;
 
   double **x = atom->x;
   std::vector<Place> places;

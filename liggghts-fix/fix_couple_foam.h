@@ -72,8 +72,8 @@ class FixCoupleFoam : public Fix {
   void unpack_reverse_comm(int, int *, double *);
 
  private:
-  // what is kept of the fluid, per sphere; FORCE and IMPULSE of free ones only
-  enum { DRAG = 0, VELOCITY = 1, LOAD = 4, FORCE = 7, IMPULSE = 10, SLOT = 13, SIZE = 14 };
+  // what is kept of the fluid, per sphere; FORCE, IMPULSE and RELAX of free ones only
+  enum { DRAG = 0, VELOCITY = 1, LOAD = 4, FORCE = 7, IMPULSE = 10, SLOT = 13, RELAX = 14, SIZE = 15 };
   // and of free ones, if the CFD half has added mass or torque
   enum { ADDED = 0, TURN = 1, SPIN = 2, MORE = 5 };
 

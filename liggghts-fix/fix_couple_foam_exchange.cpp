@@ -221,6 +221,7 @@ void FixCoupleFoam::take_answer()
     const int slot = fluid_[i][SLOT];
     if (slot < 0) continue;
     keep(i,slot);
+    fluid_[i][RELAX] = relaxation_factor(K[slot]*update->dt/atom->rmass[i]);
     // what no fix moves does not accelerate
     if (weighted) more_[i][ADDED] = moves(i) ? answer_[Field::addedMass][slot] : 0.;
     if (turned) {

@@ -43,9 +43,11 @@ void FixCoupleFoam::apply(bool setupflag)
   for (int i : free_) {
     double *s = fluid_[i], random[3] = {0.,0.,0.};
     if (thermal_) thermal_->kick(i,s[DRAG],random);
+    // sphere_drag(), its factor being the same in all steps of an answer
+    const double drag = s[RELAX]*s[DRAG], rest = s[RELAX] - 1.0;
     for (int k = 0; k < 3; k++) {
       const double load = s[LOAD+k] + random[k];
-      const double force = load + sphere_drag(s[DRAG],s[VELOCITY+k],v[i][k],f[i][k] + load,atom->rmass[i],dt);
+      const double force = load + (drag*(s[VELOCITY+k] - v[i][k]) + rest*(f[i][k] + load));
       if (!setupflag) s[IMPULSE+k] += 0.5*dt*(s[FORCE+k] + force);
       s[FORCE+k] = force;
       f[i][k] += force;
@@ -127,6 +129,7 @@ void FixCoupleFoam::set_arrays(int i)
 {
   std::fill(fluid_[i],fluid_[i] + SIZE,0.);
   fluid_[i][SLOT] = -1;
+  fluid_[i][RELAX] = 1.;
   if (more_) std::fill(more_[i],more_[i] + MORE,0.);
 }
 

@@ -39,7 +39,7 @@ def parser():
     p.add_argument("--seeds", type=int, metavar="N", help="packings for the spread, 2 at least (4, --quick 2)")
     p.add_argument("--window", type=float, metavar="T", help="simulated time in s (0.5, --quick 0.03)")
     p.add_argument("--quick", action="store_true", help="few points of short runs: to see that it works")
-    p.add_argument("--full", action="store_true", help="targets: simulate all of the 64 s in place of a part")
+    p.add_argument("--full", action="store_true", help="targets: simulate all of the full-size column's 64 s in place of the first")
     p.add_argument("--json", metavar="FILE", help="write the rows as a list of objects, too")
     return p
 

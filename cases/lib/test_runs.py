@@ -181,8 +181,10 @@ class RunsTest(unittest.TestCase):
                        ).run("clump-half", {{}})
             """)
         for number, sign in enumerate((signal.SIGINT, signal.SIGTERM, signal.SIGKILL), 1):
+            # a shell's background jobs ignore SIGINT, and so would what they start
             process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.DEVNULL,
-                                       stderr=subprocess.DEVNULL)
+                                       stderr=subprocess.DEVNULL,
+                                       preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
             self.wait(lambda: self.started() == number)
             process.send_signal(sign)
             process.wait(10)

@@ -47,7 +47,7 @@ _FORCES = "pressureGradient+buoyancy"
 # scene: case, values, lines that come before the fluid's
 SCENES = {
     "plain": ("sphere-half", {"spheres": 60}, ""),
-    "clumps": ("clump-half", {"clumps": 4, "void_fraction": "divided",
+    "clumps": ("clump-half", {"clumps": 4, "coupling_steps": 25, "void_fraction": "divided",
                               "forces": _FORCES + "+viscous+addedMass", "smoothing": "diffusion", "drag": "Gidaspow"},
                "fix rest all rest/bed window 2e-4\n"),
     "spheres": ("sphere-half", {"spheres": 60, "forces": _FORCES + "+torque+magnus+saffmanMei+addedMass",

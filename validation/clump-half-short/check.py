@@ -29,7 +29,7 @@ def run(checks):
     checks.equal("particles", s["particles"], 1890)
     checks.equal("particles_lost", s["particles_lost"], 0)
     checks.equal("dem_steps", s["dem_steps"], 2500)
-    checks.equal("cfd_steps", s["cfd_steps"], 100)
+    checks.equal("cfd_steps", s["cfd_steps"], 50)
     checks.close("simulated_s", s["simulated_s"], 0.05, 1e-9)
     checks.at_most("max_momentum_residual", s["max_momentum_residual"], 1e-10)
     checks.at_most("max_void_fraction_volume_error", s["max_void_fraction_volume_error"], 1e-12)

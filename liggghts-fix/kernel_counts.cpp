@@ -1,6 +1,6 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a kernel once, for callgrind to count its instructions
-// (validation/instructions): kernel_counts contact|coulomb|coulomb_single|packing
+// (validation/cost/instructions): kernel_counts contact|coulomb|coulomb_single|packing
 #include <cmath>
 #include <cstdio>
 #include <string>

@@ -143,7 +143,7 @@ TEST(mappingCost, smoothing)
 }
 
 
-// for counting instructions (validation/instructions)
+// for counting instructions (validation/cost/instructions)
 void onePass(const char* scheme)
 {
     const test::meshCase c(test::block({20, 20, 20}, Zero, {0.04, 0.04, 0.04}));

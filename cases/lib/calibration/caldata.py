@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-import curvefile
-import runs
-import stagefit
-from casefile import CaseError, text
+from cases.lib.calibration import curvefile, stagefit
+from cases.lib.case.casefile import text
+from cases.lib.case.errors import CaseError
+from cases.lib.run import runs
 
 DAY = 86400.0
 _MADE_UP = "# made up, not measured:"

@@ -29,7 +29,7 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 from scipy.stats import t as student
 
-from caldata import DAY
+from cases.lib.calibration.caldata import DAY
 
 _GRID = 600
 _TRIALS = 81

@@ -9,13 +9,12 @@ import sys
 
 import numpy as np
 
-import caldata
-import calloop
-import launch
-import runs
-import settings
-from casefile import Case, CaseError, text
-from program import guarded
+from cases.lib.calibration import caldata, calloop
+from cases.lib.case import settings
+from cases.lib.case.casefile import Case, text
+from cases.lib.case.errors import CaseError
+from cases.lib.case.program import guarded
+from cases.lib.run import launch, runs
 
 _ONE_STAGE = "the measured curve shows one stage only; the charge shows in the second"
 _DEFAULT = (0.5, 0.85, 1.2)  # of the case's charge: charges to begin with
@@ -179,7 +178,7 @@ def table(r):
 
 def write(out, r, data, made):
     """calibration.json, .csv and .png."""
-    import calibrate_picture
+    from cases.lib.calibration import calibrate_picture
     with open(os.path.join(out, "calibration.json"), "w", encoding="utf-8") as f:
         json.dump(r, f, indent=2)
         f.write("\n")

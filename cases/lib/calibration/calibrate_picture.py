@@ -1,20 +1,11 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """The picture of a calibration: the measured curve, the fitted one, its band."""
 
-import os
-
-from casefile import TOP
-
-# matplotlib's cache belongs to the project, not into the user's home
-os.environ.setdefault("MPLCONFIGDIR", os.path.join(TOP, "build", "matplotlib"))
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
-import calloop
-from caldata import DAY
+from cases.lib.calibration import calloop
+from cases.lib.calibration.caldata import DAY
+from cases.lib.output.plotting import plt
 
 
 def draw(path, r, data, made):

@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy.stats import t as student
 
-import calfit
-from caldata import DAY
+from cases.lib.calibration import calfit
+from cases.lib.calibration.caldata import DAY
 
 LEAST_DOF = 3  # with less, intervals are mostly the t distribution's tails
 _EXTEND = {0: 0.65, 1: 1.35}

@@ -4,7 +4,7 @@
 import csv
 import re
 
-from casefile import CaseError
+from cases.lib.case.errors import CaseError
 
 _LIKE_NUMBER = re.compile(r"[+-]?\.?\d")
 

@@ -4,17 +4,17 @@
 import sys
 from dataclasses import replace
 
-from casefile import Case, CaseError
-from suspension import resolve, theory
-from program import guarded
+from cases.lib.case.casefile import Case
+from cases.lib.case.errors import CaseError
+from cases.lib.case.program import guarded
+from cases.lib.case.suspension import resolve
 
 PROGRAM = "cases/scaling"
 
 
 def defaults(name):
     """The Scaling of a case's own particles, fluid and time scale."""
-    theory()
-    from theory.scaling import Scaling
+    from cases.lib.theory.scaling import Scaling
     case = Case(name)
     v = {**case.values, **resolve(case.values)}
     try:
@@ -27,8 +27,7 @@ def defaults(name):
 def main(words=None):
     """A CASE in the first place gives the defaults, else they are the paper's."""
     words = list(sys.argv[1:] if words is None else words)
-    theory()
-    from theory import scaling
+    from cases.lib.theory import scaling
     paper, program = scaling.Scaling(), PROGRAM
     if words and not words[0].startswith("-"):
         paper, program = defaults(words[0]), f"{PROGRAM} {words[0]}"

@@ -50,9 +50,7 @@ def _stages(slopes, lengths):
 
 def of(time, height, samples=200):
     """Stages of a curve; samples of the bootstrap that bounds them."""
-    from suspension import theory
-    theory()
-    from theory.stages import detect
+    from cases.lib.theory.stages import detect
     for most in (4, 3, 2, 1):
         fit = detect(time, height, most=most, samples=0)
         k = _started(fit.slopes)

@@ -8,12 +8,10 @@ import sys
 
 import numpy as np
 
-import curvefile
-import settings
-import stagefit
-from casefile import CaseError, nearest
-from suspension import theory
-from program import guarded
+from cases.lib.calibration import curvefile, stagefit
+from cases.lib.case import settings
+from cases.lib.case.errors import CaseError, nearest
+from cases.lib.case.program import guarded
 
 _TIMES = {"s": "s", "d": "d", "days": "d", "day": "d", "h": "h", "min": "min"}
 _LEAST_ROWS = 12
@@ -25,7 +23,7 @@ def parser():
         description="Finds the near-linear stages of a settling curve: breaks and slopes with confidence intervals.",
         epilog="A continuous line of 1 to 4 straight segments is fitted; how many there are is what the data can tell "
                "(BIC, with the noise's correlation), the intervals are a bootstrap's. The method is described in "
-               "validation/theory/stages.py.")
+               "cases/lib/theory/stages.py.")
     p.add_argument("curve", metavar="FILE|DIR", help="a CSV of times and heights, or a run folder")
     p.add_argument("--data", metavar="TIME,HEIGHT", help="names of the columns (a run: time_s,interface_m; "
                                                          "a CSV of two columns: these)")
@@ -88,8 +86,7 @@ def unit(name, known=None):
 
 def find(t, z, args):
     """(StageFit of all segments, stages numbered alike for all curves)."""
-    theory()
-    from theory.stages import detect
+    from cases.lib.theory.stages import detect
     try:
         fit = detect(t, z, most=args.most, level=0.01 * args.level, samples=args.samples)
     except ValueError as e:  # what theory asks of its arguments
@@ -136,8 +133,7 @@ def as_json(path, fit, stages, names):
 
 def draw(path, t, z, fit, names, title):
     """The curve, the line fitted to it, its breaks with their intervals."""
-    import pictures  # chooses matplotlib's cache and its way of drawing
-    plt = pictures.plt
+    from cases.lib.output.plotting import plt
     fig, ax = plt.subplots(figsize=(7, 4.6))
     ax.plot(t, z, "." if t.size < 60 else "-", color="#6aa9dc", ms=4, lw=2.6, label="settling curve")
     ax.plot(fit.knots, fit.heights, "-", color="black", lw=1.1, label=f"{fit.count} segments"

@@ -15,15 +15,11 @@ from unittest import mock
 
 import numpy as np
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import caldata
-import calfit
-import calibrate
-import calloop
-import runkey
-import runs
-import program
-from casefile import CaseError
+from cases.lib.calibration import caldata, calfit, calibrate, calloop
+from cases.lib.case import program
+from cases.lib.case.casefile import TOP
+from cases.lib.case.errors import CaseError
+from cases.lib.run import runkey, runs
 
 DAY = 86400.0
 CHARGES = [2e-10, 3.3e-10, 4.7e-10]
@@ -206,15 +202,14 @@ class SearchTest(unittest.TestCase):
 
 
 # argv: folder, charge, seed
-SCRIPT = textwrap.dedent(f"""
+SCRIPT = textwrap.dedent("""
     import os, sys
-    sys.path.insert(0, {os.path.dirname(os.path.abspath(calfit.__file__))!r})
-    from test_calibrate import curve
+    from cases.lib.calibration.test_calibrate import curve
     folder, q, seed = sys.argv[1], float(sys.argv[2]), int(sys.argv[3])
     os.makedirs(folder)
     with open(os.path.join(folder, "settling.csv"), "w") as f:
         f.write("time_s,interface_m\\n")
-        f.writelines(f"{{t}},{{0.15 * y}}\\n" for t, y in zip(*curve(q, seed, creep=0.0)))
+        f.writelines(f"{t},{0.15 * y}\\n" for t, y in zip(*curve(q, seed, creep=0.0)))
     open(os.path.join(folder, "summary.json"), "w").close()
     """)
 
@@ -231,7 +226,8 @@ class ProgramTest(unittest.TestCase):
                 self.made.append(changes)
                 return [sys.executable, "-B", "-c", SCRIPT, out, str(changes["charge"]), str(changes["seed"])]
             return store(os.path.join(self.top, "runs"), tell=lambda line: None, command=command, **more)
-        for patch in (mock.patch.object(runkey, "programs", lambda: {}), mock.patch.object(runs, "Store", stand_in)):
+        for patch in (mock.patch.object(runkey, "programs", lambda: {}), mock.patch.object(runs, "Store", stand_in),
+                      mock.patch.dict(os.environ, PYTHONPATH=TOP)):
             patch.start()
             self.addCleanup(patch.stop)
 

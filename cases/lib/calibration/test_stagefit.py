@@ -1,14 +1,11 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """Stages of made-up curves, with a slow start and with a bend in the first."""
 
-import os
-import sys
 import unittest
 
 import numpy as np
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import stagefit
+from cases.lib.calibration import stagefit
 
 TIME = np.linspace(0.0, 10.0, 501)
 

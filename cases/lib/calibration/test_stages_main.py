@@ -12,10 +12,8 @@ from unittest import mock
 
 import numpy as np
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import scaling_main
-import stages_main
-from casefile import CaseError
+from cases.lib.calibration import scaling_main, stages_main
+from cases.lib.case.errors import CaseError
 
 
 class StagesTest(unittest.TestCase):

@@ -1,16 +1,20 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """A case's parameters: case.json, changes on the command line, derived values."""
 
-import difflib
+import glob
 import json
 import math
 import os
 import re
 
-CASES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+from cases.lib.case import suspension
+from cases.lib.case.errors import CaseError, nearest
+
+CASES = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 TOP = os.path.dirname(CASES)
+ROOMS = os.path.join(TOP, "validation")
 # where a case's folder may be; the first holds those that cases/run lists
-PLACES = (CASES, os.path.join(TOP, "validation"))
+PLACES = (CASES, *sorted(glob.glob(os.path.join(glob.escape(ROOMS), "*"))))
 
 # what every case has, and what each of it must be; case.json may ask for more
 _NEEDED = {
@@ -24,17 +28,6 @@ _NEEDED = {
 _ENTRIES = ("value", "unit", "is", "choices", "or", "min", "max", "above", "below", "whole", "followed", "sets")
 _PARTS = ("title", "like", "set", "parameters")
 _MOST_STEPS = 2**31 - 1  # LIGGGHTS counts the steps of a run in 32 bits
-
-
-class CaseError(Exception):
-    """Something the user can mend; its text is one line."""
-
-
-def nearest(word, known, what):
-    """The sentence that refuses an unknown word."""
-    close = difflib.get_close_matches(word, known, 1, 0.4)
-    hint = f"did you mean '{close[0]}'?" if close else "known are " + ", ".join(sorted(known))
-    return f"unknown {what} '{word}'; {hint}"
 
 
 def names():
@@ -182,7 +175,6 @@ class Case:
 
     def derive(self, dem_ranks, cfd_ranks):
         """What both halves' input needs besides: counts of steps, numbers for words."""
-        from suspension import resolve
         v = self.values
         if v["end"] / v["dem_step"] > _MOST_STEPS:
             raise CaseError(f"end = {v['end']} s: at most {_MOST_STEPS} steps of dem_step = {v['dem_step']} s are wanted")
@@ -192,7 +184,7 @@ class Case:
         every = int(v["coupling_steps"])
         frame = every * _every(max(1, steps // every), steps / v["frames"] / every)
         return {
-            **resolve(v),
+            **suspension.resolve(v),
             "steps": steps,
             "coupling_time": v["dem_step"] * every,
             "frame_steps": frame,

@@ -7,8 +7,8 @@ import re
 
 import numpy as np
 
-import openfoam
-from casefile import CaseError
+from cases.lib.case import openfoam
+from cases.lib.case.errors import CaseError
 
 KINDS = ("hex", "warped", "tet", "poly")
 _HEAD = "FoamFile\n{{\n    version     2.0;\n    format      ascii;\n    class       {};\n    object      {};\n}}\n\n"

@@ -7,7 +7,7 @@ import re
 import shutil
 import subprocess
 
-from casefile import CaseError
+from cases.lib.case.errors import CaseError
 
 
 def environment():

@@ -4,7 +4,7 @@
 import os
 import sys
 
-from casefile import CaseError
+from cases.lib.case.errors import CaseError
 
 
 def guarded(work, program):

@@ -12,7 +12,8 @@ by its own name wins.
 
 import os
 
-from casefile import TOP, CaseError, text
+from cases.lib.case.casefile import TOP, text
+from cases.lib.case.errors import CaseError
 
 
 def split(setting, option="--set", form="KEY=VALUE"):

@@ -2,19 +2,8 @@
 """What a column's words stand for: water's properties, volumes, numbers."""
 
 import math
-import os
-import sys
 
-from casefile import TOP, CaseError
-
-
-def theory():
-    """The package of formulas, validation/theory."""
-    folder = os.path.join(TOP, "validation")
-    if folder not in sys.path:
-        sys.path.insert(0, folder)
-    import theory as package
-    return package
+from cases.lib.case.errors import CaseError
 
 
 def solid_fraction(solids, density, fluid_density):
@@ -62,8 +51,7 @@ def resolve(values):
 
     for key, law in (("fluid_density", "density"), ("viscosity", "dynamic_viscosity")):
         if now(key) == "water":
-            theory()
-            from theory import water
+            from cases.lib.theory import water
             found[key] = float(f"{float(getattr(water, law)(values['temperature'])):.6g}")
     if now("fill_height") == "tube_height":
         found["fill_height"] = values["tube_height"]

@@ -8,9 +8,9 @@ import tempfile
 import unittest
 from unittest import mock
 
-import casefile
-import suspension
-from casefile import Case, CaseError
+from cases.lib.case import casefile, suspension
+from cases.lib.case.casefile import Case
+from cases.lib.case.errors import CaseError
 
 
 class InFolder(unittest.TestCase):

@@ -5,8 +5,9 @@ import os
 import tempfile
 import unittest
 
-import settings
-from casefile import Case, CaseError
+from cases.lib.case import settings
+from cases.lib.case.casefile import Case
+from cases.lib.case.errors import CaseError
 
 
 def applied(name, *words):

@@ -3,10 +3,9 @@
 
 import numpy as np
 
-import fig_snapshots
-import plate
-from kynch_column import Column
-from kynch_measure import LAST, Record, line
+from cases.lib.figures import fig_snapshots, print_figure
+from cases.lib.kynch.kynch_column import Column
+from cases.lib.kynch.kynch_measure import LAST, Record, line
 
 _END, _QUICK = 2.0, 1.4  # [s] of the full size column
 
@@ -27,23 +26,23 @@ def _speed(run, column):
 def draw(number, made, options):
     packed = Record(made["half"].folder).packed
     columns = {k: Column(run.values, packed) for k, run in made.items()}
-    fig, (left, right) = plate.sheet(78, 1, 2)
+    fig, (left, right) = print_figure.sheet(78, 1, 2)
     last = max(1.15 * (c.kynch.t_end if np.isfinite(c.kynch.t_end) else 2 * c.kynch.t_c) + c.start.lag
                for c in columns.values())
     said = []
-    for (label, words), look in zip((("full", "full size"), ("half", "half size")), plate.LINES[1:]):
+    for (label, words), look in zip((("full", "full size"), ("half", "half size")), print_figure.LINES[1:]):
         run, column = made[label], columns[label]
         t, z = run.curve["time_s"], run.curve["interface_m"]
         unit = column.height / column.kynch.interface_speed
         times = np.linspace(0, last, 600)
         fall, risen = column.kynch.interface(times), column.kynch.interface(column.late(times))
-        left.plot(times, 1e3 * fall, color=plate.GREY, lw=1.0, label="Kynch" if label == "full" else None)
+        left.plot(times, 1e3 * fall, color=print_figure.GREY, lw=1.0, label="Kynch" if label == "full" else None)
         left.plot(times, 1e3 * risen, color="black", lw=0.9, ls=(0, (1, 1.2)),
                   label="Kynch, started from rest" if label == "full" else None)
         left.plot(t, 1e3 * z, **look, label=f"run, {words}")
         right.plot(t / unit, z / column.height, **look, label=f"run, {words}", zorder=3)
         if label == "half":
-            right.plot(times / unit, fall / column.height, color=plate.GREY, lw=1.0, label="Kynch", zorder=2)
+            right.plot(times / unit, fall / column.height, color=print_figure.GREY, lw=1.0, label="Kynch", zorder=2)
         v = _speed(run, column)
         said.append(f"{words} {1e3 * v:.1f} mm/s against {1e3 * column.kynch.interface_speed:.1f} mm/s "
                     f"({100 * (v / column.kynch.interface_speed - 1):+.1f} %)")
@@ -56,7 +55,7 @@ def draw(number, made, options):
     right.set_xlabel("time over (height / Kynch's interface speed)")
     right.set_ylabel("upper interface over its start")
     for ax, which, says in ((left, "a", "as simulated"), (right, "b", "both sizes at one scale")):
-        plate.letter(ax, which, says)
+        print_figure.letter(ax, which, says)
         ax.legend(loc="upper right")
     c = columns["half"]
     return fig, (

@@ -3,8 +3,8 @@
 
 import numpy as np
 
-import plate
-import spheres
+from cases.lib.figures import print_figure
+from cases.lib.output import spheres
 
 _MOMENT = 1e-3  # [s] a run just long enough to write its first state
 _SAND = np.array([0.90, 0.78, 0.55])
@@ -24,11 +24,11 @@ def wanted(number, options):
 def _ids(s):
     """Colours of the spheres by the number of their clump, and the mappable."""
     body = s["mol"]
-    norm = plate.mpl.colors.Normalize(body.min(), body.max())
+    norm = print_figure.mpl.colors.Normalize(body.min(), body.max())
     # the map's dark end would swallow the shading
-    cmap = plate.mpl.colors.LinearSegmentedColormap.from_list(
-        "ids", plate.mpl.colormaps[_IDS](np.linspace(0.12, 1, 256)))
-    return cmap(norm(body))[:, :3], plate.mpl.cm.ScalarMappable(norm, cmap)
+    cmap = print_figure.mpl.colors.LinearSegmentedColormap.from_list(
+        "ids", print_figure.mpl.colormaps[_IDS](np.linspace(0.12, 1, 256)))
+    return cmap(norm(body))[:, :3], print_figure.mpl.cm.ScalarMappable(norm, cmap)
 
 
 def _tube(ax, run, colours, s, pixels, top=None):
@@ -46,7 +46,7 @@ def _tube(ax, run, colours, s, pixels, top=None):
 
 def _axes(fig, left, width, height, total):
     """Axes at `left`, of that size [mm], 2 mm above the figure's lower edge."""
-    return fig.add_axes([left / plate.WIDTH, 2 / total, width / plate.WIDTH, height / total])
+    return fig.add_axes([left / print_figure.WIDTH, 2 / total, width / print_figure.WIDTH, height / total])
 
 
 def _bar(fig, at, which, total, label):
@@ -58,7 +58,7 @@ def _bar(fig, at, which, total, label):
 def _two(made):
     """Figure 2: columns, and beside each its lower part enlarged."""
     total = 105.0
-    fig = plate.blank(total)
+    fig = print_figure.blank(total)
     for k, (label, says) in enumerate((("spheres", "spheres, radial expansion"), ("clumps", "clumps, packmol"))):
         run = made[label]
         s = spheres.read(spheres.dumps(run.folder)[0][1])
@@ -86,7 +86,7 @@ def _two(made):
 def _four(made):
     """Figure 4: the two sizes at one scale, and the small one enlarged."""
     total = 134.0
-    fig = plate.blank(total)
+    fig = print_figure.blank(total)
     tall = 120.0  # [mm] the full size column
     full, half = made["full"], made["half"]
     scale = tall / full.values["tube_height"]

@@ -3,10 +3,8 @@
 
 import numpy as np
 
-import fig_snapshots
-import labcurve
-import plate
-import stagefit
+from cases.lib.calibration import stagefit
+from cases.lib.figures import fig_snapshots, labcurve, print_figure
 
 _DAYS = 130.0  # how far the paper's curves go
 _END, _LONG, _QUICK = 11.84, 64.0, fig_snapshots._QUICK  # [s]; 130 and 703 days
@@ -29,7 +27,7 @@ def wanted(number, options):
 
 
 def _look(sample):
-    return plate.LINES[labcurve.SAMPLES.index(sample)]
+    return print_figure.LINES[labcurve.SAMPLES.index(sample)]
 
 
 def _name(run):
@@ -49,7 +47,7 @@ def _shared(runs):
 
 def _ten(made):
     """All four in one picture; beside it the slow stage enlarged."""
-    fig, (whole, slow) = plate.sheet(92, 1, 2, width_ratios=(1.25, 1))
+    fig, (whole, slow) = print_figure.sheet(92, 1, 2, width_ratios=(1.25, 1))
     last, ends, slopes = 0.0, [], []
     for sample in labcurve.SAMPLES:
         run = made[sample]
@@ -73,7 +71,7 @@ def _ten(made):
     whole.set_xlim(0, last)
     slow.set_xlim(begin, last)
     for ax, which, says in ((whole, "a", "the whole curves"), (slow, "b", "after the first stage, enlarged")):
-        plate.letter(ax, which, says)
+        print_figure.letter(ax, which, says)
         ax.set_xlabel("time in the laboratory [days]")
     whole.legend(loc="upper right", handlelength=2.8, title="solids by mass, charge of a sphere", alignment="left")
     words = "; ".join(
@@ -85,7 +83,7 @@ def _ten(made):
 
 def _eleven(made, data):
     """A pane a sample: the run, its time stretched to come nearest to the data."""
-    fig, axes = plate.sheet(135, 2, 2, sharey=True)
+    fig, axes = print_figure.sheet(135, 2, 2, sharey=True)
     said, invented = [], False
     runs = [made[s] for s in labcurve.SAMPLES]
     for k, (ax, sample) in enumerate(zip(axes.flat, labcurve.SAMPLES)):
@@ -100,7 +98,7 @@ def _eleven(made, data):
                 mec="#D55E00" if curve.made_up else "black", mew=0.8, zorder=3, label=curve.says)
         ax.set_xlim(0, max(days[-1], curve.days[-1]))
         ax.set_ylim(0, 1.03 * max(100.0, 100 * float(np.max(curve.y))))
-        plate.letter(ax, "abcd"[k], sample.upper())
+        print_figure.letter(ax, "abcd"[k], sample.upper())
         ax.legend(loc="upper right")
         if curve.made_up:
             ax.text(0.5, 0.04, "MADE-UP DATA", transform=ax.transAxes, ha="center", va="bottom", color="#D55E00",

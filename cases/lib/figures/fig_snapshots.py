@@ -3,10 +3,9 @@
 
 import numpy as np
 
-import pictures
-import plate
-import spheres
-from fig_packing import _SAND as SAND
+from cases.lib.figures import print_figure
+from cases.lib.figures.fig_packing import _SAND as SAND
+from cases.lib.output import pictures, spheres
 
 _MOMENTS = 6
 _END, _QUICK = 7.0, 1.0  # [s]; 7 s are 77 days
@@ -30,19 +29,19 @@ def draw(number, made, options):
     top = max(m.top_speed for m in found) or 1e-12
     # panes as wide as six pairs allow, the tube drawn to scale
     gap, room, pane = 1.2, 16.0, 0.0
-    pane = (plate.WIDTH - room - 4) / (2 * len(found)) - gap
+    pane = (print_figure.WIDTH - room - 4) / (2 * len(found)) - gap
     tall = 1.04 * pane / 2.1 * v["tube_height"] / v["tube_radius"]
     total = tall + 13
-    fig = plate.blank(total)
+    fig = print_figure.blank(total)
     for k, moment in enumerate(found):
-        axes = [fig.add_axes([(2 + (2 * k + i) * (pane + gap)) / plate.WIDTH, 2 / total,
-                              pane / plate.WIDTH, tall / total]) for i in (0, 1)]
+        axes = [fig.add_axes([(2 + (2 * k + i) * (pane + gap)) / print_figure.WIDTH, 2 / total,
+                              pane / print_figure.WIDTH, tall / total]) for i in (0, 1)]
         n = len(moment.spheres["id"])
         colours = np.tile(SAND, (n, 1)) if number == 5 else spheres.hues(moment.spheres)
         shown = pictures.pair(*axes, moment, v, top, colours, 9000)
         axes[0].set_title(f"{moment.time * run.days:.3g} d\n({moment.time:.3g} s)", loc="left")
-    bar = fig.colorbar(shown, cax=fig.add_axes([(plate.WIDTH - room + 1) / plate.WIDTH, 2 / total,
-                                               2.2 / plate.WIDTH, tall / total]))
+    bar = fig.colorbar(shown, cax=fig.add_axes([(print_figure.WIDTH - room + 1) / print_figure.WIDTH, 2 / total,
+                                               2.2 / print_figure.WIDTH, tall / total]))
     bar.set_label("fluid speed [mm/s]")
     bar.ax.grid(False)
     last = found[-1]

@@ -3,8 +3,8 @@
 
 import numpy as np
 
-import plate
-import stagefit
+from cases.lib.calibration import stagefit
+from cases.lib.figures import print_figure
 
 _END, _QUICK = 64.0, 2.0  # [s]
 _NAMES = ("sedimentation", "transition", "consolidation")
@@ -19,7 +19,7 @@ def _marked(ax, curve, found, times, heights):
     """The curves, the stages' lines and breaks."""
     t = curve["time_s"]
     ax.plot(t, 1e3 * curve["interface_m"], color="#56B4E9", lw=2.6, label="upper interface")
-    ax.plot(t, 1e3 * curve["mean_height_m"], **plate.LINES[2], label="mean height")
+    ax.plot(t, 1e3 * curve["mean_height_m"], **print_figure.LINES[2], label="mean height")
     ax.plot(times, 1e3 * heights, color="black", lw=1.0, label="stages fitted to the interface")
     for k, (at, (low, high)) in enumerate(zip(found.breaks, found.breaks_ci)):
         ax.axvspan(low, high, color="#D55E00", alpha=0.25, lw=0)
@@ -44,7 +44,7 @@ def draw(number, made, options):
     heights = np.concatenate([[0.0], np.cumsum(found.slopes * np.diff(edges))])
     inside = t >= found.start
     heights += np.mean(z[inside] - np.interp(t[inside], edges, heights))
-    fig, (whole, early) = plate.sheet(88, 1, 2, width_ratios=(1.5, 1))
+    fig, (whole, early) = print_figure.sheet(88, 1, 2, width_ratios=(1.5, 1))
     for ax in (whole, early):
         _marked(ax, c, found, edges, heights)
         ax.set_ylim(0, 1.03e3 * run.values["fill_height"])
@@ -53,8 +53,8 @@ def draw(number, made, options):
     whole.set_xlim(0, t[-1])
     first = found.breaks[0] if found.count > 1 else t[-1] / 3
     early.set_xlim(0, min(t[-1], 3 * first))
-    plate.days_above(whole, run.values["time_scale"])
-    plate.days_above(early, run.values["time_scale"], "[days]")
+    print_figure.days_above(whole, run.values["time_scale"])
+    print_figure.days_above(early, run.values["time_scale"], "[days]")
     whole.legend(loc="upper right", title="(a) the whole run", alignment="left")
     early.text(0.97, 0.96, "(b) its beginning", transform=early.transAxes, ha="right", va="top",
                bbox={"fc": "white", "ec": "none", "alpha": 0.9, "pad": 2}, zorder=5)

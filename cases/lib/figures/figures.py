@@ -9,23 +9,24 @@ import sys
 import time
 from dataclasses import dataclass
 
-import runs
-import settings
-from casefile import TOP, CaseError, nearest
-from program import guarded
+from cases.lib.case import settings
+from cases.lib.case.casefile import TOP
+from cases.lib.case.errors import CaseError, nearest
+from cases.lib.case.program import guarded
+from cases.lib.run import runs
 
 #: The figures there are: what each shows, and the module that draws it. A module
 #: has wanted(number, options), which names runs as {label: (case, changes)}, and
 #: draw(number, made, options), which returns a figure and its caption.
 FIGURES = {
-    2: ("packing of spheres and of clumps in the tube", "fig_packing"),
-    4: ("full size and half size column with their clumps", "fig_packing"),
-    5: ("the sphere column from 0 to 77 days, with the flow", "fig_snapshots"),
-    6: ("the clump column RP-07A from 0 to 77 days, with the flow", "fig_snapshots"),
-    7: ("settling curves of spheres and Kynch's theory", "fig_kynch"),
-    8: ("the complete settling curve of charged clumps and its stages", "fig_stages"),
-    10: ("the settling curves of the four samples", "fig_samples"),
-    11: ("the four samples compared with curves from the laboratory", "fig_samples"),
+    2: ("packing of spheres and of clumps in the tube", "cases.lib.figures.fig_packing"),
+    4: ("full size and half size column with their clumps", "cases.lib.figures.fig_packing"),
+    5: ("the sphere column from 0 to 77 days, with the flow", "cases.lib.figures.fig_snapshots"),
+    6: ("the clump column RP-07A from 0 to 77 days, with the flow", "cases.lib.figures.fig_snapshots"),
+    7: ("settling curves of spheres and Kynch's theory", "cases.lib.figures.fig_kynch"),
+    8: ("the complete settling curve of charged clumps and its stages", "cases.lib.figures.fig_stages"),
+    10: ("the settling curves of the four samples", "cases.lib.figures.fig_samples"),
+    11: ("the four samples compared with curves from the laboratory", "cases.lib.figures.fig_samples"),
 }
 
 
@@ -96,12 +97,12 @@ def chosen(words):
 
 def draw(number, made, options):
     """Draws one figure and says where it is."""
-    import plate
+    from cases.lib.figures import print_figure
     module = importlib.import_module(FIGURES[number][1])
     fig, caption = module.draw(number, made, options)
     if options.quick and number > 4:
         caption += " A quick figure, --quick: the runs are shorter than those the figure is meant to have."
-    path = plate.save(fig, options.out, f"figure-{number:02d}", f"Figure {number}. {caption}")
+    path = print_figure.save(fig, options.out, f"figure-{number:02d}", f"Figure {number}. {caption}")
     print(f"figure {number}: {os.path.relpath(path)} and .pdf, .txt", flush=True)
 
 
@@ -113,7 +114,7 @@ def main():
         raise CaseError(f"--jobs {options.jobs}: at least one is wanted")
     if options.long and options.quick:
         raise CaseError("--long, --quick: one of them is wanted")
-    import labcurve
+    from cases.lib.figures import labcurve
     if options.data and 11 not in numbers:
         raise CaseError("--data: is for figure 11, which is not among those asked for")
     options.data = labcurve.read(options.data)  # refused before hours are spent

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-import caldata
-from casefile import CaseError
+from cases.lib.calibration import caldata
+from cases.lib.case.errors import CaseError
 
 SAMPLES = ("rp-04a", "rp-05a", "rp-07a", "rp-15a")
 #: Packing and noise [m] of a made-up curve; seeds of the figures' runs are 1.

@@ -3,11 +3,10 @@
 
 import os
 
-import pictures  # sets matplotlib up
-from pictures import plt
-
-import matplotlib as mpl
 import numpy as np
+
+from cases.lib.output import pictures
+from cases.lib.output.plotting import mpl, plt
 
 MM = 1 / 25.4
 WIDTH = 170.0  # [mm]

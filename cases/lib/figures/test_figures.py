@@ -9,13 +9,9 @@ import unittest
 
 import numpy as np
 
-import fig_samples
-import fig_snapshots
-import fig_stages
-import figures
-import labcurve
-import plate
-from casefile import Case, CaseError
+from cases.lib.case.casefile import Case
+from cases.lib.case.errors import CaseError
+from cases.lib.figures import fig_samples, fig_snapshots, fig_stages, figures, labcurve, print_figure
 
 
 def made_run(folder, case, knee=0.6, rest=0.05, end=64.0, seed=1):
@@ -78,9 +74,9 @@ class DrawnTest(Folder):
 
     def check(self, number, module, made):
         fig, caption = module.draw(number, made, self.options)
-        self.assertGreaterEqual(plate.smallest_text(fig), plate.SMALLEST)
-        path = plate.save(fig, self.at("out"), f"figure-{number}", caption)
-        image = plate.plt.imread(path)
+        self.assertGreaterEqual(print_figure.smallest_text(fig), print_figure.SMALLEST)
+        path = print_figure.save(fig, self.at("out"), f"figure-{number}", caption)
+        image = print_figure.plt.imread(path)
         self.assertGreaterEqual(image.shape[1], 170 / 25.4 * 200)
         for ending in (".pdf", ".txt"):
             self.assertGreater(os.path.getsize(path[:-4] + ending), 100)

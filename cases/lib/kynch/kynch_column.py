@@ -3,14 +3,11 @@
 
 import math
 
-from casefile import CaseError
-from suspension import theory
-
-theory()
-from theory import drag  # noqa: E402
-from theory.flux import DragLawFlux, RichardsonZaki, rz_exponent  # noqa: E402
-from theory.kynch import Kynch  # noqa: E402
-from theory.startup import startup  # noqa: E402
+from cases.lib.case.errors import CaseError
+from cases.lib.theory import drag
+from cases.lib.theory.flux import DragLawFlux, RichardsonZaki, rz_exponent
+from cases.lib.theory.kynch import Kynch
+from cases.lib.theory.startup import startup
 
 #: Solid fraction of a bed of spheres poured into the half-size tube, for
 #: choosing how long to run; a comparison takes that of its own runs.

@@ -8,11 +8,11 @@ import math
 import os
 import sys
 
-import launch
-import runs
-import settings
-from casefile import Case, CaseError, text
-from program import guarded
+from cases.lib.case import settings
+from cases.lib.case.casefile import Case, text
+from cases.lib.case.errors import CaseError
+from cases.lib.case.program import guarded
+from cases.lib.run import launch, runs
 
 #: What is compared: key of kynch_measure.Measured.numbers, words, factor and
 #: unit for the table, and what the theory has for it.
@@ -107,8 +107,8 @@ class Comparison:
     """Runs of one column, alike but for their seeds, with the theory."""
 
     def __init__(self, folders, phi_m=None):
-        import kynch_column
-        import kynch_measure
+        from cases.lib.kynch import kynch_column
+        from cases.lib.kynch import kynch_measure
         records = [kynch_measure.Record(f) for f in folders]
         first = records[0]
         kynch_column.refuse(first.case, first.values)
@@ -194,8 +194,8 @@ def write(out, name, comparisons):
 
 def solve(args):
     """The theory alone; the folder of its pictures."""
-    import kynch_column
-    import kynch_picture
+    from cases.lib.kynch import kynch_column
+    from cases.lib.kynch import kynch_picture
     words = args.set + ([f"tube_height={args.height:.12g}"] if args.height is not None else [])
     for number, phi_0 in enumerate(fractions(args.phi0)):
         case, _ = changed(args.name, words, phi_0)
@@ -222,7 +222,7 @@ def solve(args):
 
 def make(args):
     """The runs of every solid fraction; a list of lists of folders."""
-    import kynch_column
+    from cases.lib.kynch import kynch_column
     if args.seeds < 1:
         raise CaseError(f"--seeds {args.seeds}: at least 1 is wanted")
     wanted = []
@@ -276,7 +276,7 @@ def main():
     if not comparisons:
         return 1
     out = settings.folder(args.out, "kynch", args.name)
-    import kynch_picture
+    from cases.lib.kynch import kynch_picture
     for k, c in enumerate(comparisons):
         print(("\n" if k else "") + c.table())
         suffix = f"-{c.column.phi_0:.4f}" if len(comparisons) > 1 else ""

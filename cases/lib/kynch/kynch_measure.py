@@ -20,9 +20,9 @@ import os
 
 import numpy as np
 
-import runs
-import spheres
-from casefile import CaseError
+from cases.lib.case.errors import CaseError
+from cases.lib.output import spheres
+from cases.lib.run import runs
 
 #: Part of the interface's way at which the window ends.
 LAST = 0.8

@@ -1,17 +1,9 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures of cases/kynch: curves with characteristics, and the flux."""
 
-import os
-
-from casefile import TOP
-
-# matplotlib's cache belongs to the project, not into the user's home
-os.environ.setdefault("MPLCONFIGDIR", os.path.join(TOP, "build", "matplotlib"))
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+
+from cases.lib.output.plotting import plt
 
 _RUN, _BED, _THEORY = "#0b5fa5", "#b3541e", "black"
 

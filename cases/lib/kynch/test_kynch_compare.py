@@ -12,11 +12,9 @@ from unittest import mock
 
 import numpy as np
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import kynch_column
-import kynch_compare
-import kynch_measure
-from casefile import Case, CaseError
+from cases.lib.case.casefile import Case
+from cases.lib.case.errors import CaseError
+from cases.lib.kynch import kynch_column, kynch_compare, kynch_measure
 
 
 def values(**changes):

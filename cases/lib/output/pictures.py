@@ -4,18 +4,12 @@
 import os
 from dataclasses import dataclass
 
-from casefile import TOP, CaseError
-
-# matplotlib's cache belongs to the project, not into the user's home
-os.environ.setdefault("MPLCONFIGDIR", os.path.join(TOP, "build", "matplotlib"))
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
-import openfoam
-import spheres
+from cases.lib.case import openfoam
+from cases.lib.case.errors import CaseError
+from cases.lib.output import spheres
+from cases.lib.output.plotting import plt
 
 DAY = 86400.0
 

@@ -8,7 +8,7 @@ import re
 
 import numpy as np
 
-from casefile import CaseError
+from cases.lib.case.errors import CaseError
 
 
 def dumps(folder):

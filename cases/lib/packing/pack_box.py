@@ -6,7 +6,7 @@ spheres so that none crowd."""
 import numpy as np
 from scipy.spatial import cKDTree
 
-from pack_shapes import NotPacked
+from cases.lib.packing.pack_shapes import NotPacked
 
 MARGIN = 1e-3    # spheres are packed this much too large, so that no overlap is left
 STIRRED = 0.45   # solid fraction at which thinner suspensions are pushed apart

@@ -8,8 +8,8 @@ rest with FIRE (Bitzek and others, Phys. Rev. Lett. 97, 170201, 2006).
 
 import numpy as np
 
-import pack_random
-from pack_shapes import NotPacked, pairs, turned
+from cases.lib.packing import pack_random
+from cases.lib.packing.pack_shapes import NotPacked, pairs, turned
 
 MARGIN = 1e-3      # spheres are packed this much too large, so that no overlap is left
 _FIRST = 0.05      # solid fraction of the first stage, by random insertion

@@ -10,11 +10,10 @@ import sys
 
 import numpy as np
 
-import casefile
-import packing
-import settings
-from casefile import CaseError
-from program import guarded
+from cases.lib.case import casefile, settings
+from cases.lib.case.errors import CaseError
+from cases.lib.case.program import guarded
+from cases.lib.packing import packing
 
 
 def parser():
@@ -61,9 +60,8 @@ def points(folder, v):
 
 def draw(folder, v, report):
     """packing.png: the tube from the side, and from above."""
-    import pictures
-    import spheres
-    plt = pictures.plt
+    from cases.lib.output import spheres
+    from cases.lib.output.plotting import plt
     s = points(folder, v)
     spheres.write_vtp(os.path.join(folder, "packing.vtp"), s)
     radius, height = v["tube_radius"], v["tube_height"]

@@ -13,8 +13,8 @@ import time
 
 import numpy as np
 
-from casefile import CaseError
-from pack_shapes import NotPacked, overlaps
+from cases.lib.case.errors import CaseError
+from cases.lib.packing.pack_shapes import NotPacked, overlaps
 
 PROGRAM = "packmol"
 MARGIN = 1e-3      # of a sphere's radius, kept between two spheres

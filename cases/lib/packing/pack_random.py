@@ -5,7 +5,7 @@ where none of its spheres touches another particle or the tube."""
 import numpy as np
 from scipy.spatial import cKDTree
 
-from pack_shapes import NotPacked, pairs, random_turns
+from cases.lib.packing.pack_shapes import NotPacked, pairs, random_turns
 
 GAP = 1e-6        # room left between two spheres, of a diameter
 _BATCH = 4000     # places tried at once; that they are many at once changes nothing

@@ -13,13 +13,10 @@ import time
 
 import numpy as np
 
-import pack_box
-import pack_expansion
-import pack_packmol
-import pack_random
-import pack_shapes
-from casefile import TOP, CaseError
-from suspension import particle_volume
+from cases.lib.case.casefile import TOP
+from cases.lib.case.errors import CaseError
+from cases.lib.case.suspension import particle_volume
+from cases.lib.packing import pack_box, pack_expansion, pack_packmol, pack_random, pack_shapes
 
 METHODS = ("random", "packmol", "expansion")
 CLUMPS, SPHERE = ("ill", "kao"), "grain"  # the input's fixes particletemplate/*

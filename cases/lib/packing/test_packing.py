@@ -15,15 +15,10 @@ from unittest import mock
 
 import numpy as np
 
-import pack_box
-import pack_expansion
-import pack_main
-import pack_packmol
-import pack_random
-import pack_shapes
-import packing
-from casefile import TOP, Case, CaseError
-from suspension import particle_volume, resolve
+from cases.lib.case.casefile import Case, TOP
+from cases.lib.case.errors import CaseError
+from cases.lib.case.suspension import particle_volume, resolve
+from cases.lib.packing import pack_box, pack_expansion, pack_main, pack_packmol, pack_random, pack_shapes, packing
 
 R = 1e-3
 PLATE, SPHERE = pack_shapes.plate(R, R), pack_shapes.single(R)

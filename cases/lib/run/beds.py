@@ -8,7 +8,7 @@ import os
 
 import numpy as np
 
-from casefile import CaseError
+from cases.lib.case.errors import CaseError
 
 
 def inlet(folder):
@@ -81,7 +81,7 @@ def finish(folder, v, curve, title):
 
 
 def _draw(path, v, ramp, found, title):
-    from pictures import plt
+    from cases.lib.output.plotting import plt
     u, drop, height = ramp
     fig, (ax, low) = plt.subplots(2, 1, figsize=(6.4, 6.4), sharex=True)
     ax.plot(u, drop, lw=1.6, label="clayFoam")

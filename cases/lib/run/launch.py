@@ -10,8 +10,9 @@ import subprocess
 import sys
 import time
 
-import openfoam
-from casefile import TOP, CaseError
+from cases.lib.case import openfoam
+from cases.lib.case.casefile import TOP
+from cases.lib.case.errors import CaseError
 
 _TAG = re.compile(r"^\[\d+,(\d+)\]<std(out|err)>:\s?(.*)$", re.S)
 _PROGRESS = re.compile(r"^clayFoam: (t = .*)$")

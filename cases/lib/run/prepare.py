@@ -7,10 +7,10 @@ import os
 import re
 import shutil
 
-import meshes
-import openfoam
-import packing
-from casefile import CASES, TOP, CaseError, text
+from cases.lib.case import meshes, openfoam
+from cases.lib.case.casefile import CASES, TOP, text
+from cases.lib.case.errors import CaseError
+from cases.lib.packing import packing
 
 # what a run leaves behind; removed when its folder is used again
 _REMAINS = ("DEM", "CFD", "alone", "dem.json", "summary.json", "settling.csv", "stages.json", "*.png",

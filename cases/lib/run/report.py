@@ -11,8 +11,9 @@ import subprocess
 import sys
 import time
 
-import openfoam
-from casefile import TOP, CaseError
+from cases.lib.case import openfoam
+from cases.lib.case.casefile import TOP
+from cases.lib.case.errors import CaseError
 
 _DAY = 86400.0
 
@@ -145,18 +146,18 @@ def finish(case, run, derived, alone=False, pictures=True):
     s = summary(case, run, derived, _alone(run) if alone else None)
     if run.cfd > 1:
         openfoam.run("reconstructPar", os.path.join(run.folder, "CFD"))
-    import spheres
+    from cases.lib.output import spheres
     if glob.glob(os.path.join(glob.escape(run.folder), "DEM", "spheres.*.dump")):
         spheres.for_paraview(run.folder, v["dem_step"])
     if pictures and settled and "tube_radius" in v:
         import numpy as np
-        import pictures as draw
+        from cases.lib.output import pictures as draw
         arrays = {k: np.array([float(r[k]) for r in rows]) for k in rows[0]}
         draw.settling(run.folder, arrays, scale, case.title)
         draw.columns(run.folder, v, case.title)
     more = ""
     if pictures and settled and v.get("velocity_to", 0) > v.get("velocity_from", 0) and v["bottom"] == "inlet":
-        import beds
+        from cases.lib.run import beds
         import numpy as np
         arrays = {k: np.array([float(r[k]) for r in rows]) for k in rows[0]}
         more = "".join(f"\n  {a:<14}{b}" for a, b in beds.finish(run.folder, {**v, **derived}, arrays, case.title))

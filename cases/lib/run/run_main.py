@@ -5,12 +5,10 @@ import argparse
 import signal
 import sys
 
-import casefile
-import launch
-import prepare
-import settings
-from casefile import CaseError
-from program import guarded
+from cases.lib.case import casefile, settings
+from cases.lib.case.errors import CaseError
+from cases.lib.case.program import guarded
+from cases.lib.run import launch, prepare
 
 
 def parser():
@@ -63,7 +61,7 @@ def main():
     status = run.go()
     if status:
         return status
-    import report
+    from cases.lib.run import report
     return report.finish(case, run, derived, alone=args.alone, pictures=not args.no_pictures)
 
 

@@ -12,10 +12,10 @@ import hashlib
 import json
 import os
 
-import openfoam
-from casefile import CASES, TOP, CaseError
+from cases.lib.case import openfoam
+from cases.lib.case.casefile import CASES, TOP
+from cases.lib.case.errors import CaseError
 
-HERE = os.path.dirname(os.path.abspath(__file__))
 _hashes = {}
 
 
@@ -33,10 +33,10 @@ def _file_hash(path):
 
 
 def _modules(name, found):
-    """The modules of this folder that `name` imports, with itself. What casefile
-    and openfoam make is in the key by its values."""
-    path = os.path.join(HERE, name + ".py")
-    if name in found or name in ("casefile", "openfoam") or not os.path.isfile(path):
+    """The modules of this project that `name` imports, with itself. What
+    casefile and openfoam make is in the key by its values."""
+    path = os.path.join(TOP, *name.split(".")) + ".py"
+    if name in found or name.rpartition(".")[2] in ("casefile", "openfoam") or not os.path.isfile(path):
         return
     with open(path, encoding="utf-8") as f:
         tree = ast.parse(f.read())
@@ -46,6 +46,8 @@ def _modules(name, found):
             for alias in node.names:
                 _modules(alias.name, found)
         elif isinstance(node, ast.ImportFrom) and not node.level:
+            for alias in node.names:  # a module of a package, or what a module holds
+                _modules(f"{node.module}.{alias.name}", found)
             _modules(node.module, found)
 
 
@@ -67,7 +69,7 @@ def inputs(case):
                 if f not in ("case.json", "check.py") and not f.startswith("README"):
                     found[os.path.relpath(path, source)] = _file_hash(path)
     code = {}
-    _modules("prepare", code)
+    _modules("cases.lib.run.prepare", code)
     return {"files": found, "code": hashlib.sha256(repr(sorted(code.items())).encode()).hexdigest()}
 
 

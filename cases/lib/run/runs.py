@@ -2,7 +2,7 @@
 """A store of runs: a run that was made once is not made again.
 
 Every run lies in a folder named by its case and a key, the hash of all that
-decides its result. Runs are made by cases/lib/main.py, each a process of its
+decides its result. Runs are made by cases/run's own program, each a process of its
 own, several at once; killed ones are made anew, failed ones reported.
 """
 
@@ -21,12 +21,11 @@ import time
 import warnings
 from dataclasses import dataclass
 
-import launch
-import runkey
-import settings
-from casefile import TOP, Case, CaseError, text
+from cases.lib.case import settings
+from cases.lib.case.casefile import Case, TOP, text
+from cases.lib.case.errors import CaseError
+from cases.lib.run import launch, runkey
 
-HERE = os.path.dirname(os.path.abspath(__file__))
 _DONE = "run.json"
 _SHARE = re.compile(r"([\d.]+) %")
 _PR_SET_PDEATHSIG = 1
@@ -104,7 +103,7 @@ class Store:
         self.command = command or self._command
 
     def _command(self, name, changes, folder):
-        found = [sys.executable, "-E", "-s", "-B", os.path.join(HERE, "main.py"), name,
+        found = [sys.executable, "-E", "-s", "-B", TOP, "cases.lib.run.run_main", name,
                  "--dem", str(self.ranks[0]), "--cfd", str(self.ranks[1]), "--no-pictures", "--out", folder]
         for key, value in {"frames": self.frames, **changes}.items():
             found += ["--set", f"{key}={value if isinstance(value, str) else text(value)}"]

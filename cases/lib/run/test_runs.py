@@ -12,10 +12,9 @@ import time
 import unittest
 from unittest import mock
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import runkey
-import runs
-from casefile import CaseError
+from cases.lib.case.casefile import TOP
+from cases.lib.case.errors import CaseError
+from cases.lib.run import runkey, runs
 
 # argv: folder, file to note the start in, seconds, end
 SCRIPT = textwrap.dedent("""
@@ -88,7 +87,7 @@ class RunsTest(unittest.TestCase):
         self.assertEqual(self.store().finished("clump-half", {}), first)
 
     def test_input_files_are_in_the_key(self):
-        from casefile import Case
+        from cases.lib.case.casefile import Case
         found = runkey.inputs(Case("clump-half"))["files"]
         for name in ("in.liggghts", "contacts.liggghts", "CFD/system/fvSolution"):
             self.assertIn(name, found)
@@ -173,8 +172,8 @@ class RunsTest(unittest.TestCase):
     def test_a_killed_run_ends_and_is_made_anew(self):
         code = textwrap.dedent(f"""
             import sys
-            sys.path.insert(0, {os.path.dirname(os.path.abspath(runs.__file__))!r})
-            import runkey, runs
+
+            from cases.lib.run import runkey, runs
             runkey.programs = lambda: {self.build!r}
             script, folder, notes = {SCRIPT!r}, {os.path.join(self.top, "runs")!r}, {self.notes!r}
             runs.Store(folder, command=lambda n, c, out: [sys.executable, "-c", script, out, notes, "30", "good"]
@@ -182,7 +181,7 @@ class RunsTest(unittest.TestCase):
             """)
         for number, sign in enumerate((signal.SIGINT, signal.SIGTERM, signal.SIGKILL), 1):
             # a shell's background jobs ignore SIGINT, and so would what they start
-            process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.DEVNULL,
+            process = subprocess.Popen([sys.executable, "-c", code], cwd=TOP, stdout=subprocess.DEVNULL,
                                        stderr=subprocess.DEVNULL,
                                        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
             self.wait(lambda: self.started() == number)
@@ -198,14 +197,14 @@ class RunsTest(unittest.TestCase):
     def test_two_stores_make_a_run_once(self):
         code = textwrap.dedent(f"""
             import sys
-            sys.path.insert(0, {os.path.dirname(os.path.abspath(runs.__file__))!r})
-            import runkey, runs
+
+            from cases.lib.run import runkey, runs
             runkey.programs = lambda: {self.build!r}
             script, folder, notes = {SCRIPT!r}, {os.path.join(self.top, "runs")!r}, {self.notes!r}
             runs.Store(folder, command=lambda n, c, out: [sys.executable, "-c", script, out, notes, "1", "good"]
                        ).run("clump-half", {{}})
             """)
-        pair = [subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.DEVNULL) for _ in range(2)]
+        pair = [subprocess.Popen([sys.executable, "-c", code], cwd=TOP, stdout=subprocess.DEVNULL) for _ in range(2)]
         self.assertEqual([p.wait(20) for p in pair], [0, 0])
         self.assertEqual(self.started(), 1)
 

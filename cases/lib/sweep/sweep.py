@@ -9,12 +9,12 @@ import math
 import os
 import sys
 
-import launch
-import runs
-import settings
-import stagefit
-from casefile import Case, CaseError, text
-from program import guarded
+from cases.lib.calibration import stagefit
+from cases.lib.case import settings
+from cases.lib.case.casefile import Case, text
+from cases.lib.case.errors import CaseError
+from cases.lib.case.program import guarded
+from cases.lib.run import launch, runs
 
 _MOST_RUNS = 10000
 
@@ -159,7 +159,7 @@ def main():
     print(table(rows, shown))
     good = [r for r in rows if not r["error"]]
     if good and varied:
-        import sweep_picture
+        from cases.lib.sweep import sweep_picture
         unit = {k: p.get("unit", "") for k, p in case.parameters.items()}
         sweep_picture.draw(os.path.join(out, "sweep.png"), good, varied, unit, case.title)
     print(f"results in {out}")

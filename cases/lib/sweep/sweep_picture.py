@@ -1,19 +1,10 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """The picture of a sweep: the curves, and their slopes against the parameter."""
 
-import os
-
-from casefile import TOP
-
-# matplotlib's cache belongs to the project, not into the user's home
-os.environ.setdefault("MPLCONFIGDIR", os.path.join(TOP, "build", "matplotlib"))
-
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
-import runs
+from cases.lib.output.plotting import plt
+from cases.lib.run import runs
 
 _LINES = ("-", "--", ":", "-.")
 _MARKS = ("o", "s", "^", "D")

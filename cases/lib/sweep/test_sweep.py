@@ -12,12 +12,11 @@ import textwrap
 import unittest
 from unittest import mock
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import runkey
-import runs
-import program
-import sweep
-from casefile import Case, CaseError
+from cases.lib.case import program
+from cases.lib.case.casefile import Case
+from cases.lib.case.errors import CaseError
+from cases.lib.run import runkey, runs
+from cases.lib.sweep import sweep
 
 # argv: folder, charge, seed; stages whose slopes [m/s] follow from the charge
 SCRIPT = textwrap.dedent("""

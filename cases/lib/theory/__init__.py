@@ -8,7 +8,7 @@ startup  from rest to the settling velocity
 stages   near-linear stages of a settling curve (segments: its fit and search)
 scaling  prototype and model particles, velocities, times
 water    density and viscosity of water against temperature
-tables   the reference tables in ../data
+tables   the reference tables in validation/data
 
 SI units throughout. phi is the solid fraction, n = 1 - phi the void fraction.
 Heights count from the bottom, velocities and fluxes of solids are positive

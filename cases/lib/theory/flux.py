@@ -16,7 +16,7 @@ flux of solids and fluid together is zero: v = n slip.
 
 import numpy as np
 
-from . import drag
+from cases.lib.theory import drag
 
 
 def rz_exponent(re_t):

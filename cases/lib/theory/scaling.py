@@ -14,7 +14,7 @@ import argparse
 import sys
 from dataclasses import dataclass
 
-from . import drag
+from cases.lib.theory import drag
 
 #: Calibrated ratio of times T_p/T_m of the paper's section 4.2.3.
 CALIBRATED = 9.49e5

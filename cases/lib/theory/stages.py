@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .segments import Search, basis_of, measure, thin
+from cases.lib.theory.segments import Search, basis_of, measure, thin
 
 
 @dataclass(frozen=True)

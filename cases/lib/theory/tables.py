@@ -1,12 +1,12 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-"""The reference tables in data/, one csv each, as columns."""
+"""The reference tables in validation/data, one csv each, as columns."""
 
 import csv
 import pathlib
 
 import numpy as np
 
-FOLDER = pathlib.Path(__file__).parent.parent / "data"
+FOLDER = pathlib.Path(__file__).parents[3] / "validation" / "data"
 
 
 def read(name, folder=FOLDER):

@@ -5,9 +5,8 @@ import unittest
 
 import numpy as np
 
-from theory import drag, tables
-from theory.flux import (DragLawFlux, RichardsonZaki, TabulatedFlux,
-                         garside_exponent, rz_exponent)
+from cases.lib.theory import drag, tables
+from cases.lib.theory.flux import DragLawFlux, RichardsonZaki, TabulatedFlux, garside_exponent, rz_exponent
 
 # Stokes flow: Re_t about 1e-10
 SLOW = dict(d=1e-6, rho_p=1001.0, rho_f=1000.0, nu=1e-4)

@@ -5,9 +5,9 @@ import unittest
 
 import numpy as np
 
-from theory import tables
-from theory.flux import DragLawFlux, RichardsonZaki, TabulatedFlux
-from theory.kynch import Kynch, lower_hull
+from cases.lib.theory import tables
+from cases.lib.theory.flux import DragLawFlux, RichardsonZaki, TabulatedFlux
+from cases.lib.theory.kynch import Kynch, lower_hull
 
 def ramped(phi_m=0.6, ramp=0.02, exponent=4.65):
     """Richardson-Zaki with v_t = 1, falling to zero over the last `ramp`, as

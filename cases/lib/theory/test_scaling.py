@@ -7,8 +7,8 @@ import unittest
 
 import numpy as np
 
-from theory import drag
-from theory.scaling import CALIBRATED, DAY, Scaling, main, stokes_velocity
+from cases.lib.theory import drag
+from cases.lib.theory.scaling import CALIBRATED, DAY, Scaling, main, stokes_velocity
 
 
 class ScalingTest(unittest.TestCase):

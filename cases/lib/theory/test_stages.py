@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from theory.stages import correlation_time, detect
+from cases.lib.theory.stages import correlation_time, detect
 
 TIME = np.linspace(0.0, 64.0, 1281)
 THREE = np.interp(TIME, [0, 3, 30, 64], [0.15, 0.09, 0.04, 0.035])

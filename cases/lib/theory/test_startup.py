@@ -5,8 +5,8 @@ import unittest
 
 import numpy as np
 
-from theory import flux
-from theory.startup import startup
+from cases.lib.theory import flux
+from cases.lib.theory.startup import startup
 
 
 class StartupTest(unittest.TestCase):

@@ -7,7 +7,7 @@ import unittest
 
 import numpy as np
 
-from theory import water
+from cases.lib.theory import water
 
 
 class WaterTest(unittest.TestCase):

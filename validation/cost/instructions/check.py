@@ -6,8 +6,8 @@ import os
 import re
 import shutil
 
-import coupled
-from frame import Broken
+from validation.lib.checks import coupled
+from validation.lib.checks.verdicts import Broken
 
 TITLE = "instruction counts of the kernels (callgrind)"
 HERE = os.path.dirname(os.path.abspath(__file__))

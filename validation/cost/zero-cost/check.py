@@ -4,15 +4,11 @@
 import json
 import os
 import shutil
-import sys
 from concurrent import futures
 
-import callgrind
-import coupled
-from frame import Broken
-
-sys.path.append(os.path.join(coupled.TOP, "cases", "lib"))
-import launch  # noqa: E402
+from cases.lib.run import launch
+from validation.lib.checks import callgrind, coupled
+from validation.lib.checks.verdicts import Broken
 
 TITLE = "a scene pays nothing for features it does not have (instruction counts)"
 STEPS = 25  # DEM steps an exchange
@@ -65,7 +61,7 @@ def same(text):
 def prepared(name, case, values, change, script="in.liggghts"):
     """A run folder, one of whose scripts change(text) has gone over."""
     options = [x for k, v in {**_SMALL, **values}.items() for x in ("--set", f"{k}={v}")]
-    outcome, folder = coupled.case(case, "unpaid/" + name, "--no-pictures", "--dry-run", *options)
+    outcome, folder = coupled.case(case, "zero-cost/" + name, "--no-pictures", "--dry-run", *options)
     if outcome.status != 0:
         raise Broken(f"{name}: {outcome.output.strip().splitlines()[-1:]}")
     path = os.path.join(folder, script)
@@ -159,7 +155,7 @@ def run(checks):
 
     sent = {}
     for half, path in (("dem", "DEM/dem.json"), ("cfd", "CFD/cfd.json")):
-        with open(os.path.join(coupled.RUNS, "unpaid", "plain", path), encoding="utf-8") as f:
+        with open(os.path.join(coupled.RUNS, "zero-cost", "plain", path), encoding="utf-8") as f:
             sent[half] = json.load(f)
     each = sent["dem"]["particles"] * sent["dem"]["exchanges"] * 8
     for half, doubles in (("dem", 13), ("cfd", 8)):

@@ -3,17 +3,12 @@
 against the equations of motion with the drag law that runs."""
 
 import os
-import sys
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
-import coupled
-import plots
-
-sys.path.insert(0, os.path.join(coupled.TOP, "validation"))
-
-from theory import drag  # noqa: E402
+from cases.lib.theory import drag
+from validation.lib.checks import coupled, plots
 
 TITLE = "added mass: density ratios 0.001 to 8, spheres alone and at a solid fraction of 0.3"
 

@@ -4,10 +4,9 @@
 import math
 import os
 
-import coupled
-import fields
 import numpy as np
-import plots
+
+from validation.lib.checks import coupled, fields, plots
 
 TITLE = "bed at rest: zero drag, the floor carries the buoyant weight, hydrostatics"
 LONG = True
@@ -42,7 +41,7 @@ def run(checks):
         # spheres as heavy as the fluid, none touching: gravity and buoyancy cancel
         words = [w for x in (f"model={model}", f"top={top}", "bottom=wall", "held=0", "fluid_density=2000", "velocity_from=0",
                              "velocity_to=0", "end=0.02") for w in ("--set", x)]
-        still = coupled.finished("ergun-fixed-bed", "bed-at-rest/neutral-" + model, *words)
+        still = coupled.finished("fixed-bed-scene", "bed-at-rest/neutral-" + model, *words)
         speed, p = _flow(still)
         checks.at_most(f"{name}, spheres as heavy as the fluid: largest velocity of the fluid [m/s]", speed, 1e-14)
         checks.at_most(f"{name}, the same: dynamic pressure [Pa]", p, 1e-10)

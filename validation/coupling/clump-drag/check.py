@@ -6,9 +6,9 @@ import os
 
 import numpy as np
 
-import plots
-from coupled import finished, summary
-from reference import table
+from validation.lib.checks import plots
+from validation.lib.checks.coupled import finished, summary
+from validation.lib.checks.reference import table
 
 TITLE = "clumps fall along each axis as their Stokes resistance wants it"
 A, DRHO, G = 1e-3, 1000.0, 9.81

@@ -7,8 +7,7 @@ import os
 import numpy as np
 from scipy.integrate import solve_ivp
 
-import coupled
-import plots
+from validation.lib.checks import coupled, plots
 
 TITLE = "observed order of convergence: coupling interval, DEM step; the mesh"
 

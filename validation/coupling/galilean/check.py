@@ -3,16 +3,11 @@
 and the same with 0.1 m/s added to everything, through a periodic box."""
 
 import os
-import sys
 
 import numpy as np
 
-import coupled
-import plots
-
-sys.path.insert(0, os.path.join(coupled.TOP, "cases", "lib"))
-
-import spheres  # noqa: E402
+from cases.lib.output import spheres
+from validation.lib.checks import coupled, plots
 
 TITLE = "Galilean invariance: one scene in two frames of a periodic box"
 LONG = True

@@ -7,8 +7,7 @@ import os
 import numpy as np
 from scipy.integrate import solve_ivp
 
-import coupled
-import plots
+from validation.lib.checks import coupled, plots
 
 TITLE = "lift and torque on one sphere, three shear planes, against Saffman-Mei, Rubinow-Keller and Kirchhoff"
 

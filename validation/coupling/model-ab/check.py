@@ -3,17 +3,16 @@
 
 import os
 
-import coupled
-import fields
 import numpy as np
-import plots
+
+from validation.lib.checks import coupled, fields, plots
 
 TITLE = "model A against model B: pressure drop of a held bed, drift of a free one"
 
 
 def _run(model, name, *settings):
     words = [w for s in (f"model={model}", *settings) for w in ("--set", s)]
-    return coupled.finished("ergun-fixed-bed", f"model-ab/{name}-{model}", *words)
+    return coupled.finished("fixed-bed-scene", f"model-ab/{name}-{model}", *words)
 
 
 def run(checks):

@@ -3,16 +3,11 @@
 spheres shoots through a fluid at rest in a box that is periodic all around."""
 
 import os
-import sys
 
 import numpy as np
 
-import coupled
-import plots
-
-sys.path.insert(0, os.path.join(coupled.TOP, "cases", "lib"))
-
-import openfoam  # noqa: E402
+from cases.lib.case import openfoam
+from validation.lib.checks import coupled, plots
 
 TITLE = "momentum of particles and fluid in a periodic box, both programs, each force model"
 

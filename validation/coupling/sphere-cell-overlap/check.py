@@ -5,9 +5,7 @@ import os
 
 import numpy as np
 
-import coupled
-import plots
-import reference
+from validation.lib.checks import coupled, plots, reference
 
 TITLE = "overlap of sphere and cell; volume kept by every scheme"
 

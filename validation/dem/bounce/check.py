@@ -5,9 +5,7 @@ import os
 
 import numpy as np
 
-import coupled
-import plots
-import reference
+from validation.lib.checks import coupled, plots, reference
 
 TITLE = "heights of bounces on a floor (MFiX DEM02)"
 RADIUS, START, GRAVITY, MASS = 0.1, 0.5, 9.81, 2600 * np.pi / 6 * 0.2 ** 3

@@ -6,8 +6,7 @@ import os
 
 import numpy as np
 
-import coupled
-import plots
+from validation.lib.checks import coupled, plots
 
 TITLE = "Brownian motion: diffusion at kT/K for any step"
 K_B, T, MU, A = 1.380649e-23, 293.0, 1e-3, 1e-6

@@ -6,9 +6,9 @@ import os
 
 import numpy as np
 
-import plots
-from coupled import dem
-from reference import table
+from validation.lib.checks import plots
+from validation.lib.checks.coupled import dem
+from validation.lib.checks.reference import table
 
 TITLE = "a clump's free rotation, collision and Coulomb work against exact solutions"
 COULOMB = 8.9875517873681764e9

@@ -5,9 +5,7 @@ import os
 
 import numpy as np
 
-import coupled
-import plots
-import reference
+from validation.lib.checks import coupled, plots, reference
 
 TITLE = "two charges: orbits, fall and flight"
 COULOMB = 8.9875517873681764e9

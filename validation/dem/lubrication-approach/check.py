@@ -5,8 +5,7 @@ import os
 
 import numpy as np
 
-import coupled
-import plots
+from validation.lib.checks import coupled, plots
 
 TITLE = "approach through a film: sphere to sphere, sphere to wall"
 A, MU = 5e-4, 1.0

@@ -5,9 +5,7 @@ import os
 
 import numpy as np
 
-import coupled
-import plots
-import reference
+from validation.lib.checks import coupled, plots, reference
 
 TITLE = "from slipping to rolling (MFiX DEM04)"
 SPEED, RADIUS, GRAVITY = 0.2, 5e-4, 9.81

@@ -7,11 +7,9 @@ import os
 
 import numpy as np
 
-import coupled
-import plots
-import reference
-from theory.flux import DragLawFlux
-from theory.startup import startup
+from cases.lib.theory.flux import DragLawFlux
+from cases.lib.theory.startup import startup
+from validation.lib.checks import coupled, plots, reference
 
 TITLE = "the mean height of 1890 spheres falling in a column, against CFDEM"
 LONG = True

@@ -6,10 +6,7 @@ import os
 
 import numpy as np
 
-import coupled
-import fronts
-import plots
-import reference
+from validation.lib.checks import coupled, fronts, plots, reference
 
 TITLE = "interfaces of a dense suspension against measurements in silicone oil"
 LONG = True

@@ -3,11 +3,9 @@
 
 import os
 
-import coupled
-import fields
 import numpy as np
-import plots
-import reference
+
+from validation.lib.checks import coupled, fields, plots, reference
 
 TITLE = "Xiao and Sun's bed: pressure drop over the inlet ramp, up to fluidisation"
 LONG = True

@@ -10,15 +10,12 @@ import statistics
 import sys
 import time
 
-import bench_curve
-import bench_plan
-import bench_run
-from frame import Broken
-
-import casefile
-import runkey
-from casefile import CaseError
-from program import guarded
+from cases.lib.case import casefile
+from cases.lib.case.errors import CaseError
+from cases.lib.case.program import guarded
+from cases.lib.run import runkey
+from validation.lib.bench import bench_curve, bench_plan, bench_run
+from validation.lib.checks.verdicts import Broken
 
 COLUMNS = ("case", "setting", "value", "wall_s", "wall_ratio", "error", "seed_spread", "on_front", "error_mean_height",
            "note")
@@ -67,7 +64,7 @@ class Sweep:
 
     def _run(self, changes):
         accurate = casefile.Case(self.case)
-        import settings
+        from cases.lib.case import settings
         settings.apply(accurate, {k: v for k, v in changes.items()})
         end = fitted(self.window, accurate.values, {})
         return bench_run.made(self.case, {**changes, "end": end, "curve_rows": 200})
@@ -203,15 +200,15 @@ def main():
     check(args)
     os.makedirs(bench_run.PLACE, exist_ok=True)
     if args.what == "targets":
-        import bench_targets
+        from validation.lib.bench import bench_targets
         rows = bench_targets.measure(args.quick, args.full, say)
         write("targets", rows, bench_targets.COLUMNS, args.json)
         say(bench_targets.table(rows))
         say(f"results in {bench_run.PLACE}")
         return 0 if all(r["passed"] for r in rows) else 1
     if args.what == "skips":
-        import bench_picture
-        import bench_skips
+        from validation.lib.bench import bench_picture
+        from validation.lib.bench import bench_skips
         rows = bench_skips.measure(args.quick, args.repeats, say)
         write("skips", rows, bench_skips.COLUMNS, args.json)
         bench_picture.draw_skips(os.path.join(bench_run.PLACE, "skips.png"), rows)
@@ -227,7 +224,7 @@ def main():
             raise CaseError(f"{case}: {e}") from None
     yardstick = 0.5 * (yardstick + bench_run.yardstick())
     write("bench", rows, COLUMNS, args.json)
-    import bench_picture
+    from validation.lib.bench import bench_picture
     bench_picture.draw(os.path.join(bench_run.PLACE, "bench.png"), rows)
     say(table(rows))
     say(history("settings", args.quick, rows, yardstick))

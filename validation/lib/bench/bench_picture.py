@@ -1,14 +1,7 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """Run time against error as a picture."""
 
-import os
-import sys
-
-TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path.insert(1, os.path.join(TOP, "cases", "lib"))
-import pictures  # noqa: E402  (sets matplotlib up)
-
-plt = pictures.plt
+from cases.lib.output.plotting import plt
 
 _COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8C564B", "#7F7F7F", "#BCBD22", "#17BECF")
 _MARKS = "osD^vPX<>*"

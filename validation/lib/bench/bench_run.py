@@ -7,17 +7,12 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import time
 
-import coupled
-from frame import Broken
-
-sys.path.insert(1, os.path.join(coupled.TOP, "cases", "lib"))
-import casefile  # noqa: E402
-import launch  # noqa: E402
-import runkey  # noqa: E402
-import runs  # noqa: E402
+from cases.lib.case import casefile
+from cases.lib.run import launch, runkey, runs
+from validation.lib.checks import coupled
+from validation.lib.checks.verdicts import Broken
 
 PLACE = os.path.join(coupled.TOP, "results", "bench")
 _LIMIT = 24 * 3600.0

@@ -13,10 +13,9 @@ import re
 import statistics
 from dataclasses import dataclass, field
 
-import bench_curve
-import bench_run
-import fields
-from frame import Broken
+from validation.lib.bench import bench_curve, bench_run
+from validation.lib.checks import fields
+from validation.lib.checks.verdicts import Broken
 
 COLUMNS = ("feature", "switch", "scene", "timing", "work_s", "skipped_s", "gain", "error", "error_of", "note")
 _FORCES = "pressureGradient+buoyancy"

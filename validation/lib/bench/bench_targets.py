@@ -9,10 +9,9 @@ import json
 import os
 import re
 
-import bench_run
-from frame import Broken
-
-import casefile
+from cases.lib.case import casefile
+from validation.lib.bench import bench_run
+from validation.lib.checks.verdicts import Broken
 
 COLUMNS = ("target", "measured", "gate", "passed", "note")
 

@@ -3,22 +3,14 @@
 
 import json
 import os
-import sys
 import tempfile
 import unittest
 from unittest import mock
 
 import numpy as np
 
-import bench_curve
-import bench_main
-import bench_plan
-import bench_run
-import bench_skips
-import bench_targets
-
-sys.path.insert(1, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "cases", "lib"))
-import casefile  # noqa: E402
+from cases.lib.case import casefile
+from validation.lib.bench import bench_curve, bench_main, bench_plan, bench_run, bench_skips, bench_targets
 
 
 def line(slope, offset=0.0, end=2.0, n=21):
@@ -90,7 +82,7 @@ class Plan(unittest.TestCase):
 
 
 def bench_run_settings(case, changes):
-    import settings
+    from cases.lib.case import settings
     settings.apply(case, changes)
 
 

@@ -2,7 +2,6 @@
 """Runs programs under valgrind's callgrind and reads what it has counted."""
 
 import glob
-import os
 import re
 
 _NAME = re.compile(r"^(\w+)=\((\d+)\)(?: (.*))?$")

@@ -8,9 +8,10 @@ import signal
 import subprocess
 import time
 
-from frame import Broken
+from cases.lib.case.casefile import TOP
+from validation.lib.checks import rooms
+from validation.lib.checks.verdicts import Broken
 
-TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 RUNS = os.path.join(TOP, "results", "validation")
 
 
@@ -31,14 +32,18 @@ def execute(words, limit, cwd=TOP, env=None):
         output, _ = process.communicate(timeout=limit)
         status = process.returncode
     except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGTERM)
-        try:
-            output, _ = process.communicate(timeout=10)
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            output, _ = process.communicate()
-        status = None
+        output, status = stop(process), None
     return Outcome(status, output, time.monotonic() - began)
+
+
+def stop(process):
+    """Ends a process that leads a session, and all it started; what it has said."""
+    os.killpg(process.pid, signal.SIGTERM)
+    try:
+        return process.communicate(timeout=10)[0]
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        return process.communicate()[0]
 
 
 def case(name, where, *options, limit=600):
@@ -58,10 +63,10 @@ def finished(name, where, *options, limit=600):
 
 
 def dem(case, where, limit=300, **variables):
-    """liggghts-clay alone on validation/CASE/in.liggghts in results/validation/where,
+    """liggghts-clay alone on validation/ROOM/CASE/in.liggghts in results/validation/where,
     made anew with copies of that folder's inputs; returns the folder. The run
     must end well."""
-    source, folder = os.path.join(TOP, "validation", case), os.path.join(RUNS, where)
+    source, folder = rooms.holding("in.liggghts")[case], os.path.join(RUNS, where)
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(source, folder, ignore=shutil.ignore_patterns("check.py", "README*", "case.json"))
     os.makedirs(os.path.join(folder, "DEM"), exist_ok=True)

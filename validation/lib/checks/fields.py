@@ -2,15 +2,10 @@
 """The fields a run wrote, by the reader of cases/lib."""
 
 import os
-import sys
 
 import numpy as np
 
-from coupled import TOP
-
-sys.path.append(os.path.join(TOP, "cases", "lib"))
-
-import openfoam  # noqa: E402
+from cases.lib.case import openfoam
 
 
 def times(folder):

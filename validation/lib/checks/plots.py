@@ -3,14 +3,7 @@
 
 import os
 
-from coupled import TOP
-
-# matplotlib's cache belongs to the project, not into the user's home
-os.environ.setdefault("MPLCONFIGDIR", os.path.join(TOP, "build", "matplotlib"))
-
-import matplotlib  # noqa: E402
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+from cases.lib.output.plotting import plt
 
 STYLES = {"line": {"ls": "-", "lw": 1.6}, "dashed": {"ls": "--", "lw": 1.4, "color": "0.25", "zorder": 3},
           "dots": {"ls": "", "marker": "o", "ms": 4.5, "mfc": "none"}}

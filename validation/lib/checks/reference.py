@@ -1,14 +1,7 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """The reference tables of validation/data."""
 
-import os
-import sys
-
-from coupled import TOP
-
-sys.path.insert(0, os.path.join(TOP, "validation"))
-
-from theory import tables  # noqa: E402
+from cases.lib.theory import tables
 
 
 def table(name):

@@ -10,7 +10,7 @@ import shutil
 import time
 from dataclasses import dataclass
 
-import frame
+from validation.lib.checks import verdicts
 
 _MOST = 40  # rows of a case that are shown one by one; of more, those that failed
 _BEGIN, _END = "<!-- last result -->", "<!-- end of last result -->"
@@ -26,7 +26,7 @@ class Result:
     """What a case that has just run has to say."""
 
     title: str
-    checks: frame.Checks
+    checks: verdicts.Checks
     seconds: float
 
 
@@ -45,7 +45,7 @@ def write(folder, results, keep):
             pictures.append(name)
         with open(os.path.join(store, r.checks.case + ".json"), "w", encoding="utf-8") as f:
             json.dump({"title": r.title, "seconds": r.seconds, "when": time.strftime("%Y-%m-%d"),
-                       "rows": [{k: frame.short(v) for k, v in row.items()} for row in r.checks.rows],
+                       "rows": [{k: verdicts.short(v) for k, v in row.items()} for row in r.checks.rows],
                        "notes": r.checks.notes, "pictures": pictures}, f, indent=1)
     cases = {}
     for name in sorted(os.listdir(store)):
@@ -103,9 +103,9 @@ def _markdown(case):
     return lines + [x for n in case["notes"] for x in (n, "")]
 
 
-def record(here, folder, names):
-    """Writes each named case's last result into its README.md, and all stored
-    ones into RESULTS.md of `here`."""
+def record(folder, names, here, folders):
+    """Writes each named case's last result into the README.md of its folder
+    (folders: {name: path}), and all stored ones into RESULTS.md of `here`."""
     store, page = os.path.join(folder, "cases"), ["# Last results of every validation case", "",
                                                   "The last run of each, written by `validation/run --record`.", ""]
     for name in sorted(f[:-5] for f in os.listdir(store) if f.endswith(".json")):
@@ -113,8 +113,8 @@ def record(here, folder, names):
             case = json.load(f)
         lines = _markdown(case)
         page += [f"## {name}", "", case["title"] + ".", "", *lines]
-        readme = os.path.join(here, name, "README.md")
-        if name in names and os.path.isfile(readme):
+        if name in names and name in folders:
+            readme = os.path.join(folders[name], "README.md")
             with open(readme, encoding="utf-8") as f:
                 old = f.read()
             block = "\n".join([_BEGIN, *lines[:-1], _END])

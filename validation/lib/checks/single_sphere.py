@@ -5,15 +5,14 @@ import os
 
 import numpy as np
 
-import coupled
-import reference  # noqa: F401  (finds theory)
+from validation.lib.checks import coupled
 
 
 def run(where, *, limit=600, **values):
-    """A run of the case lone-sphere with these values; returns its folder."""
+    """A run of the case sphere-scene with these values; returns its folder."""
     options = [x for key, value in values.items() for x in ("--set", f"{key}={value:.10g}" if isinstance(value, float)
                                                             else f"{key}={value}")]
-    return coupled.finished("lone-sphere", where, "--no-pictures", *options, limit=limit)
+    return coupled.finished("sphere-scene", where, "--no-pictures", *options, limit=limit)
 
 
 def path(folder):

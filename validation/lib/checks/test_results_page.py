@@ -6,12 +6,11 @@ import os
 import tempfile
 import unittest
 
-import frame
-import page
+from validation.lib.checks import results_page, verdicts
 
 
 def some():
-    checks = frame.Checks("one", lambda row: None)
+    checks = verdicts.Checks("one", lambda row: None)
     checks.close("near", 1.01, 1.0, 0.02)
     checks.close("far", 1.05, 1.0, 0.02)
     checks.close("not a number", float("nan"), 1.0, 0.02)
@@ -19,16 +18,16 @@ def some():
     return checks
 
 
-class FrameTest(unittest.TestCase):
+class VerdictsTest(unittest.TestCase):
     def test_a_gate_has_two_sides(self):
-        checks = frame.Checks("one", lambda row: None)
+        checks = verdicts.Checks("one", lambda row: None)
         for value, passed in ((0.981, True), (1.019, True), (0.979, False), (1.021, False)):
             self.assertIs(bool(checks.close("q", value, 1.0, 0.02)), passed, value)
 
     def test_json(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "r.json")
-            frame.write_json(path, some().rows)
+            verdicts.write_json(path, some().rows)
             with open(path, encoding="utf-8") as f:
                 rows = json.load(f)
         self.assertEqual([r["passed"] for r in rows], [True, False, False])
@@ -40,15 +39,15 @@ class PageTest(unittest.TestCase):
     def test_page_and_record(self):
         with tempfile.TemporaryDirectory() as folder:
             here = os.path.join(folder, "here")
-            os.makedirs(os.path.join(here, "one"))
-            readme = os.path.join(here, "one", "README.md")
+            os.makedirs(os.path.join(here, "room", "one"))
+            readme = os.path.join(here, "room", "one", "README.md")
             with open(readme, "w", encoding="utf-8") as f:
                 f.write("# One\n<!-- last result -->\nold\n<!-- end of last result -->\nkept\n")
-            with open(page.write(folder, [page.Result("a title", some(), 1.0)], keep=False), encoding="utf-8") as f:
+            with open(results_page.write(folder, [results_page.Result("a title", some(), 1.0)], keep=False), encoding="utf-8") as f:
                 shown = f.read()
             self.assertIn("why &lt;it&gt; is far", shown)
             self.assertIn('class="FAIL">2<', shown)
-            page.record(here, folder, ["one"])
+            results_page.record(folder, ["one"], here, {"one": os.path.join(here, "room", "one")})
             with open(readme, encoding="utf-8") as f:
                 text = f.read()
             self.assertIn("| far | 1.05 | 1 | 0.05 | 0.02 | FAIL |", text)
@@ -57,10 +56,10 @@ class PageTest(unittest.TestCase):
             with open(os.path.join(here, "RESULTS.md"), encoding="utf-8") as f:
                 self.assertIn("## one", f.read())
             # another case is added to those stored; a whole run begins anew
-            other = frame.Checks("two", lambda row: None)
-            page.write(folder, [page.Result("b", other, 1.0)], keep=True)
+            other = verdicts.Checks("two", lambda row: None)
+            results_page.write(folder, [results_page.Result("b", other, 1.0)], keep=True)
             self.assertEqual(sorted(os.listdir(os.path.join(folder, "cases"))), ["one.json", "two.json"])
-            page.write(folder, [page.Result("b", other, 1.0)], keep=False)
+            results_page.write(folder, [results_page.Result("b", other, 1.0)], keep=False)
             self.assertEqual(os.listdir(os.path.join(folder, "cases")), ["two.json"])
 
 

@@ -1,27 +1,14 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-"""validation/run: runs the checks of validation/*/check.py."""
+"""validation/run: runs the checks of validation/ROOM/NAME/check.py."""
 
 import argparse
 import difflib
-import importlib.util
 import os
 import sys
 import time
 
-import frame
-import page
-from coupled import RUNS, TOP
-
-HERE = os.path.join(TOP, "validation")
-
-
-def load(name):
-    """A check's module: TITLE, run(checks) and, if it takes long, LONG = True."""
-    path = os.path.join(HERE, name, "check.py")
-    spec = importlib.util.spec_from_file_location("check_" + name.replace("-", "_"), path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+from validation.lib.checks import results_page, rooms, verdicts
+from validation.lib.checks.coupled import RUNS
 
 
 class _Unreadable:
@@ -35,10 +22,6 @@ class _Unreadable:
         raise self.error
 
 
-def names():
-    return sorted(d for d in os.listdir(HERE) if os.path.isfile(os.path.join(HERE, d, "check.py")))
-
-
 def main():
     p = argparse.ArgumentParser(prog="validation/run", allow_abbrev=False,
                                 description="Checks the project: unit tests, then coupled runs.")
@@ -50,7 +33,7 @@ def main():
     p.add_argument("--json", metavar="FILE", help="write the results as JSON, too")
     args = p.parse_args()
 
-    known = names()
+    known = list(rooms.holding("check.py"))
     modules = {}
     for name in args.names or known:
         if name not in known:
@@ -59,7 +42,7 @@ def main():
             print(f"validation/run: unknown check '{name}'; {hint}", file=sys.stderr)
             return 2
         try:
-            modules[name] = load(name)
+            modules[name] = rooms.load(name)
         except (Exception, SystemExit) as e:  # a broken check fails; the others go on
             modules[name] = _Unreadable(e)
     if args.list:
@@ -75,7 +58,7 @@ def main():
         if getattr(module, "LONG", False) and not (args.all or args.names):
             continue
         print(f"-- {name}: {module.TITLE}", flush=True)
-        checks = frame.Checks(name, lambda row: print(frame.line(row), flush=True))
+        checks = verdicts.Checks(name, lambda row: print(verdicts.line(row), flush=True))
         began = time.monotonic()
         try:
             module.run(checks)
@@ -84,20 +67,20 @@ def main():
         seconds = time.monotonic() - began
         print(f"   {seconds:.1f} s", flush=True)
         rows += checks.rows
-        results.append(page.Result(module.TITLE, checks, seconds))
+        results.append(results_page.Result(module.TITLE, checks, seconds))
 
-    frame.write_csv(os.path.join(RUNS, "validation.csv"), rows)
+    verdicts.write_csv(os.path.join(RUNS, "validation.csv"), rows)
     if args.json:
-        frame.write_json(args.json, rows)
-    told = page.write(RUNS, results, keep=bool(args.names))
+        verdicts.write_json(args.json, rows)
+    told = results_page.write(RUNS, results, keep=bool(args.names))
     if args.record:
-        page.record(HERE, RUNS, list(modules))
+        results_page.record(RUNS, list(modules), rooms.HERE, rooms.holding("README.md"))
     print(f"page of results: {os.path.relpath(told)}")
     failed = [r for r in rows if r["verdict"] != "pass"]
     if failed:
         print("failed:")
         for row in failed:
-            print(frame.line(row))
+            print(verdicts.line(row))
     print(f"{len(rows) - len(failed)} passed, {len(failed)} failed")
     return 1 if failed or not rows else 0
 

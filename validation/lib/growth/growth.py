@@ -1,7 +1,7 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """validation/growth: what a particle, a message and a cell cost, from small to large.
 
-Every scene is validation/growth-scene, a cube of touching spheres on an inlet.
+Every scene is validation/scenes/growth-scene, a cube of touching spheres on an inlet.
 DEM: the DEM half alone, seconds a particle-step and memory a particle.
 Exchange: the coupled run, seconds a particle an exchange, and the bytes and
 messages of a rank. CFD: the same spheres on finer meshes, seconds a cell-step.
@@ -17,9 +17,8 @@ import subprocess
 import sys
 import time
 
-import coupled
-import plots
-from frame import Broken
+from validation.lib.checks import coupled, plots
+from validation.lib.checks.verdicts import Broken
 
 DIAMETER = 2e-3
 COLUMNS = ("part", "spheres", "cells", "dem_ranks", "cfd_ranks", "steps", "ns_each", "bytes_each",

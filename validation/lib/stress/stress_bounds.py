@@ -6,7 +6,7 @@ import json
 import math
 import os
 
-import stress_design as design
+from validation.lib.stress import stress_design as design
 
 # limits that are the same for all runs
 OVERLAP = 0.5           # of two particles over the diameter: beyond it they have passed into each other

@@ -14,13 +14,11 @@ import threading
 import time
 from collections import Counter
 
-import coupled
-import stress_design
-import stress_run
-
-import runkey
-from casefile import CaseError
-from program import guarded
+from cases.lib.case.errors import CaseError
+from cases.lib.case.program import guarded
+from cases.lib.run import runkey
+from validation.lib.checks import coupled
+from validation.lib.stress import stress_design, stress_run
 
 OUTCOMES = ("bounded", "refused", "failed")
 
@@ -186,7 +184,7 @@ def main():
     began = time.monotonic()
     rows = Map(out, args.jobs, keep=False).go(points, args.fresh)
     write(out, rows, args.json)
-    import stress_picture
+    from validation.lib.stress import stress_picture
     stress_picture.draw(os.path.join(out, "stress.png"), rows)
     said = report(rows)
     print(said)

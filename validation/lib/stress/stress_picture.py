@@ -1,14 +1,7 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """The stability map as a picture."""
 
-import os
-import sys
-
-TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path.insert(0, os.path.join(TOP, "cases", "lib"))
-import pictures  # noqa: E402  (sets matplotlib up)
-
-plt = pictures.plt
+from cases.lib.output.plotting import plt
 
 _LOOKS = {"bounded": ("#0072B2", "o", 14), "refused": ("#E69F00", "^", 20), "failed": ("#D55E00", "X", 46)}
 _PLANES = (("step_ratio", "DEM step / limit", "interval_reached", "coupling interval / relaxation time"),

@@ -7,19 +7,12 @@ import re
 import shutil
 import signal
 import subprocess
-import sys
 import threading
 
-import stress_bounds
-import stress_design
-
-TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path.insert(0, os.path.join(TOP, "cases", "lib"))
-import casefile  # noqa: E402
-import launch  # noqa: E402
-import openfoam  # noqa: E402
-import prepare  # noqa: E402
-from casefile import CaseError  # noqa: E402
+from cases.lib.case import casefile, openfoam
+from cases.lib.case.errors import CaseError
+from cases.lib.run import launch, prepare
+from validation.lib.stress import stress_bounds, stress_design
 
 LIMIT = 120.0  # [s] after which a run counts as hung
 CASE = "stress-scene"

@@ -9,10 +9,8 @@ import unittest
 
 import numpy as np
 
-import stress_bounds
-import stress_design as design
-import stress_main
-import stress_run
+from validation.lib.stress import stress_bounds, stress_main, stress_run
+from validation.lib.stress import stress_design as design
 
 
 class Sample(unittest.TestCase):

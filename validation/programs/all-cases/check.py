@@ -3,7 +3,7 @@
 
 import os
 
-import coupled
+from validation.lib.checks import coupled
 
 TITLE = "every case for 0.02 s"
 

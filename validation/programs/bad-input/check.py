@@ -4,14 +4,11 @@
 import json
 import os
 import re
-import sys
 
-import coupled
-from frame import Broken
-
-sys.path.append(os.path.join(coupled.TOP, "cases", "lib"))
-import launch  # noqa: E402
-import openfoam  # noqa: E402
+from cases.lib.case import openfoam
+from cases.lib.run import launch
+from validation.lib.checks import coupled
+from validation.lib.checks.verdicts import Broken
 
 TITLE = "broken inputs end both halves with one line that says why"
 SECONDS = 20

@@ -5,8 +5,8 @@ import json
 import os
 import re
 
-import coupled
-from frame import Broken
+from validation.lib.checks import coupled
+from validation.lib.checks.verdicts import Broken
 
 TITLE = "cases/calibrate recovers charge and time scale of a made-up curve"
 LONG = True

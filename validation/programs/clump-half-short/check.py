@@ -3,7 +3,7 @@
 
 import os
 
-import coupled
+from validation.lib.checks import coupled
 
 TITLE = "cases/run clump-half for 0.05 s"
 

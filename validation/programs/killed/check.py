@@ -6,8 +6,8 @@ import signal
 import subprocess
 import time
 
-import coupled
-from frame import Broken
+from validation.lib.checks import coupled
+from validation.lib.checks.verdicts import Broken
 
 TITLE = "one half killed: the other ends too, soon and with an error"
 SECONDS = 20

@@ -3,16 +3,15 @@
 
 import os
 
-import coupled
-import fields
 import numpy as np
-import plots
+
+from validation.lib.checks import coupled, fields, plots
 
 TITLE = "a packed bed on hexahedra, warped ones, tetrahedra, polyhedra, and on several ranks"
 LONG = True
 
 _RHO, _SPEED = 10.0, 0.01
-# lattice of ergun-fixed-bed, smoothed over 2 d; the drop between two heights inside of it
+# lattice of fixed-bed-scene, smoothed over 2 d; the drop between two heights inside of it
 _SET = ("layers=30", "spheres=960", "size_z=0.0442", "cells_x=2", "cells_y=2", "cells_z=17", "smoothing=diffusion", "bandwidth=3e-3", "frames=1",
         f"velocity_from={_SPEED}", f"velocity_to={_SPEED}", f"start_velocity={_SPEED}", "sides=slip")
 _LOW, _HIGH = 0.0130, 0.0312  # m: inside of the bed, which reaches from 2.6 to 41.6 mm
@@ -34,7 +33,7 @@ def _gradient(z, p):
 
 def _run(name, *more, ranks=()):
     words = [w for s in _SET + more for w in ("--set", s)]
-    return coupled.finished("ergun-fixed-bed", "meshes/" + name, "--end", "0.01", *words, *ranks)
+    return coupled.finished("fixed-bed-scene", "meshes/" + name, "--end", "0.01", *words, *ranks)
 
 
 def run(checks):

@@ -3,8 +3,8 @@
 
 import numpy as np
 
-import coupled
-from frame import Broken
+from validation.lib.checks import coupled
+from validation.lib.checks.verdicts import Broken
 
 TITLE = "1 + 1 ranks against 1 + 2, 2 + 1 and 2 + 2"
 

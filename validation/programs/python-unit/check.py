@@ -1,67 +1,64 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-"""The unit tests of the Python parts, one row each."""
+"""The unit tests of the Python parts, a row each as soon as it has ended."""
 
+import json
 import os
+import select
+import subprocess
 import sys
-import unittest
 
-import coupled
+from validation.lib.checks.coupled import RUNS, TOP, stop
+from validation.lib.checks.verdicts import Broken
 
-TITLE = "the unit tests of the Python parts"
+TITLE = "the unit tests of the Python parts (pytest)"
+LIMIT = 300.0  # [s] for a test; of several minutes on a loaded machine none took more than one
+_SILENCE = 60.0  # [s] more, after which a test that cannot be ended ends all
 
 
-class _Rows(unittest.TestResult):
-    """Every test becomes a row as soon as it has ended."""
-
-    def __init__(self, checks):
-        super().__init__()
-        self.checks, self.reason = checks, ""
-        self.modules = set()
-
-    def _note(self, error):
-        self.reason = self.reason or f"{error[0].__name__}: {error[1]}".replace("\n", " ")
-
-    def startTest(self, test):
-        super().startTest(test)
-        self.reason = ""
-        self.modules.add(type(test).__module__.rpartition(".")[2])
-
-    def addError(self, test, err):
-        super().addError(test, err)
-        self._note(err)
-        # the set-up of a whole class or module has no test of its own
-        if not isinstance(test, unittest.TestCase):
-            self.checks.true(str(test), False, self.reason)
-
-    def addFailure(self, test, err):
-        super().addFailure(test, err)
-        self._note(err)
-
-    def addSubTest(self, test, subtest, err):
-        super().addSubTest(test, subtest, err)
-        if err:
-            self._note(err)
-
-    def addSkip(self, test, reason):
-        super().addSkip(test, reason)
-        self.reason = "skipped: " + reason
-
-    def stopTest(self, test):
-        super().stopTest(test)
-        name = test.id().removeprefix("theory.").removeprefix("unittest.loader.")
-        self.checks.true(name, not self.reason, self.reason)
+def _lines(process, pipe):
+    """What pytest tells, line by line; stops it when it says nothing for too long."""
+    rest = b""
+    while True:
+        if not select.select([pipe], [], [], LIMIT + _SILENCE)[0]:
+            stop(process)
+            return
+        said = os.read(pipe, 65536)
+        if not said:
+            return
+        *lines, rest = (rest + said).split(b"\n")
+        yield from map(json.loads, lines)
 
 
 def run(checks):
-    for folder, top in (("validation/theory", "validation"), ("cases/lib", "cases/lib"),
-                        ("validation/lib", "validation/lib")):
-        folder, top = os.path.join(coupled.TOP, folder), os.path.join(coupled.TOP, top)
-        # to the end: the names that both libraries have stay this one's
-        sys.path.append(top)
-        suite = unittest.TestLoader().discover(folder, "test_*.py", top)
-        result = _Rows(checks)
-        suite.run(result)
-        files = {f[:-3] for f in os.listdir(folder) if f.startswith("test_") and f.endswith(".py")}
-        idle = sorted(files - result.modules)
-        checks.true(f"a test ran of every file of tests in {os.path.relpath(folder, coupled.TOP)}",
-                    bool(files) and not idle, f"none of {', '.join(idle)}" if idle else "")
+    ours, theirs = os.pipe()
+    words = [sys.executable, "-E", "-s", "-B", TOP, "pytest", "-q", "-p", "validation.lib.checks.pytest_rows",
+             "--rows-to", str(theirs), "--limit", str(LIMIT)]
+    log = os.path.join(RUNS, "pytest.log")
+    with open(log, "w", encoding="utf-8") as f:
+        process = subprocess.Popen(words, cwd=TOP, stdin=subprocess.DEVNULL, stdout=f, stderr=subprocess.STDOUT,
+                                   start_new_session=True, pass_fds=(theirs,))
+    os.close(theirs)
+    listed, ended, going = None, set(), None
+    for line in _lines(process, ours):
+        listed, going = line.get("listed", listed), line.get("began", going)
+        if "ended" in line:
+            ended.add(line["ended"])
+            checks.true(line["ended"], not line["reason"], line["reason"])
+            going = None
+    os.close(ours)
+    process.wait()
+    if listed is None:
+        with open(log, encoding="utf-8", errors="replace") as f:
+            raise Broken(f"pytest listed no tests: {f.read().strip().splitlines()[-1:]}")
+    missing = [t for t in listed if t not in ended]
+    checks.true("every test that pytest lists has run", not missing,
+                f"{len(missing)} have not" + (f", the last to begin was {going}" if going else "") if missing else "")
+    idle = sorted(_files() - {t.partition("::")[0] for t in listed})
+    checks.true("a test is listed of every file of tests", not idle, f"none of {', '.join(idle)}" if idle else "")
+
+
+def _files():
+    """The files of tests there are, wherever they stand."""
+    return {os.path.relpath(os.path.join(folder, f), TOP) for top in ("cases", "validation")
+            for folder, _, files in os.walk(os.path.join(TOP, top)) for f in files
+            if f.startswith("test_") and f.endswith(".py")}

@@ -5,8 +5,8 @@ import os
 import re
 import xml.etree.ElementTree as ElementTree
 
-import coupled
-from frame import Broken
+from validation.lib.checks import coupled
+from validation.lib.checks.verdicts import Broken
 
 TITLE = "the unit tests (ctest)"
 

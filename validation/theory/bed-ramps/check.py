@@ -3,13 +3,9 @@
 
 import json
 import os
-import sys
 
-import coupled
-
-sys.path.insert(0, os.path.join(coupled.TOP, "cases", "lib"))
-
-import beds  # noqa: E402
+from cases.lib.run import beds
+from validation.lib.checks import coupled
 
 TITLE = "ergun-bed and fluidised-bed over their whole ramps"
 LONG = True

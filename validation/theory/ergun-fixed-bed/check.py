@@ -3,11 +3,9 @@
 
 import os
 
-import coupled
-import fields
 import numpy as np
-import plots
-import reference
+
+from validation.lib.checks import coupled, fields, plots, reference
 
 TITLE = "uniform bed of porosity 0.451: pressure drop and u_mf against Ergun"
 
@@ -32,7 +30,7 @@ def _drops(folder):
 def _free(speed):
     """Time and mean upward velocity of the bed's inner spheres, let go under a
     steady flow; by its end they drift as fast as the flow lets them."""
-    folder = coupled.finished("ergun-fixed-bed", f"ergun-fixed-bed/free-{speed:.6f}", "--end", "0.008",
+    folder = coupled.finished("fixed-bed-scene", f"ergun-fixed-bed/free-{speed:.6f}", "--end", "0.008",
                               *_set(held=0, velocity_from=speed, velocity_to=speed, start_velocity=speed))
     rise = coupled.columns(os.path.join(folder, "DEM", "rise.csv"))
     return rise["time_s"], rise["velocity_m_per_s"]
@@ -44,7 +42,7 @@ def _set(**values):
 
 def run(checks):
     law = reference.table("ergun_fixedbed_formula")
-    folder = coupled.finished("ergun-fixed-bed", "ergun-fixed-bed/ramp")
+    folder = coupled.finished("fixed-bed-scene", "ergun-fixed-bed/ramp")
     speed, drop = _drops(folder)
     for u, dp in zip(law["U_m_per_s"], law["dp_Pa"]):
         k = int(np.argmin(abs(speed - u)))

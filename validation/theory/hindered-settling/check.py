@@ -4,17 +4,13 @@ velocity in the frame of no net volume flux."""
 
 import glob
 import os
-import sys
 
 import numpy as np
 
-import coupled
-import plots
-import reference
-from theory.flux import DragLawFlux, rz_exponent
+from cases.lib.theory.flux import DragLawFlux, rz_exponent
+from validation.lib.checks import coupled, plots, reference
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from layers import CELL, LAYERS  # noqa: E402
+from .layers import CELL, LAYERS
 
 TITLE = "uniform suspensions fall as each drag law implies, without net volume flux"
 D, RHO_P, RHO_F, MU = 1e-3, 1200.0, 1000.0, 1.0

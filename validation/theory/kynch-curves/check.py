@@ -6,12 +6,9 @@ import os
 
 import numpy as np
 
-import coupled
-import fronts
-import plots
-import reference
-from theory.flux import DragLawFlux, RichardsonZaki
-from theory.kynch import Kynch
+from cases.lib.theory.flux import DragLawFlux, RichardsonZaki
+from cases.lib.theory.kynch import Kynch
+from validation.lib.checks import coupled, fronts, plots, reference
 
 TITLE = "columns at low Re against Kynch's exact settling curves"
 LONG = True

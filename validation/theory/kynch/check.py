@@ -7,8 +7,8 @@ is far from the drag law's."""
 import json
 import os
 
-import coupled
-from frame import Broken
+from validation.lib.checks import coupled
+from validation.lib.checks.verdicts import Broken
 
 TITLE = "cases/kynch: the sphere column against Kynch's theory, five seeds"
 LONG = True

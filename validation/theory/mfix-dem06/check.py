@@ -5,10 +5,9 @@ import os
 
 import numpy as np
 
-import lone
-import plots
-from coupled import RUNS, summary
-from reference import table
+from validation.lib.checks import plots, single_sphere
+from validation.lib.checks.coupled import RUNS, summary
+from validation.lib.checks.reference import table
 
 TITLE = "MFiX DEM06: one sphere in rising gas, from rest to its terminal velocity"
 
@@ -19,8 +18,8 @@ def _run(where, **more):
               "sphere_radius": 5e-5, "density": 2000, "fluid_density": 1.2, "viscosity": 1.8e-5,
               "at_z": 0.6, "end": 0.3, "dem_step": 5e-5, "coupling_steps": 20, "frames": 2, "curve_rows": 200,
               "rows": 300, **more}
-    folder = lone.run(f"mfix-dem06/{where}", **values)
-    return lone.path(folder), folder
+    folder = single_sphere.run(f"mfix-dem06/{where}", **values)
+    return single_sphere.path(folder), folder
 
 
 def run(checks):

@@ -3,10 +3,9 @@
 
 import os
 
-import lone
-import plots
-from coupled import RUNS, summary
-from theory import drag
+from cases.lib.theory import drag
+from validation.lib.checks import plots, single_sphere
+from validation.lib.checks.coupled import RUNS, summary
 
 TITLE = "terminal velocity of one sphere in cells of 2 to 10 diameters"
 
@@ -17,12 +16,12 @@ def _run(where, ratio, place=0.5 + 0.5 / CELLS, model="latticeMemory", **more):
     """Velocity over the law's at the end, and the run's folder; cells of `ratio` diameters."""
     d = CELL / ratio
     side = CELL * CELLS
-    folder = lone.run(f"lone-sphere/{where}", size_x=side, size_y=side, size_z=side, cells_x=CELLS, cells_y=CELLS,
+    folder = single_sphere.run(f"single-sphere/{where}", size_x=side, size_y=side, size_z=side, cells_x=CELLS, cells_y=CELLS,
                       cells_z=CELLS, sides="slip", bottom="slip", top="slip", sphere_radius=0.5 * d,
                       viscosity=NU * RHO, end=0.02, dem_step=2e-5, coupling_steps=10, at_x=place, at_y=place,
                       at_z=place, self_disturbance=model, frames=2, curve_rows=200, **more)
     law = drag.terminal_velocity(d, SOLID, RHO, NU * RHO, drag_law=more.get("drag", "SchillerNaumann"))
-    return -lone.path(folder)[2][-1] / law, folder
+    return -single_sphere.path(folder)[2][-1] / law, folder
 
 
 def run(checks):
@@ -42,7 +41,7 @@ def run(checks):
     checks.at_least("without the correction, cells of 2 d: excess of velocity", plain[2] - 1, 0.2)
     checks.at_least("without the correction, cells of 10 d: excess of velocity", plain[10] - 1, 0.03)
     checks.picture(plots.compare(
-        os.path.join(RUNS, "lone-sphere", "terminal-velocity.png"),
+        os.path.join(RUNS, "single-sphere", "terminal-velocity.png"),
         [("selfDisturbance none", list(plain), list(plain.values()), "dots"),
          ("latticeMemory", list(found), list(found.values()), "line"),
          ("drag law", [2, 10], [1, 1], "dashed")],

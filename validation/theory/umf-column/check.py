@@ -3,11 +3,9 @@
 
 import os
 
-import coupled
-import fields
 import numpy as np
-import plots
-import reference
+
+from validation.lib.checks import coupled, fields, plots, reference
 
 TITLE = "column of 100 touching spheres: pressure drop, compression and u_mf"
 LONG = True

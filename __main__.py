@@ -1,0 +1,10 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs a program of this project: python3 FOLDER MODULE ARGUMENTS, with FOLDER the
+one that this file is in. Python looks for modules there, wherever it is called."""
+
+import runpy
+import sys
+
+if __name__ == "__main__":
+    del sys.argv[0]
+    runpy.run_module(sys.argv[0], run_name="__main__", alter_sys=True)

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "terms.h"
+#include "exchange/terms.h"
 
 namespace clay {
 

@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "farewell.h"
-#include "handshake.h"
-#include "packing.h"
-#include "session.h"
-#include "shared.h"
-#include "waiting.h"
-#include "wire.h"
+#include "exchange/farewell.h"
+#include "exchange/handshake.h"
+#include "exchange/packing.h"
+#include "exchange/session.h"
+#include "exchange/shared.h"
+#include "exchange/waiting.h"
+#include "exchange/wire.h"
 
 namespace clay {
 

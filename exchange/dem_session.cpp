@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "farewell.h"
-#include "handshake.h"
-#include "routing.h"
-#include "session.h"
-#include "waiting.h"
-#include "wire.h"
+#include "exchange/farewell.h"
+#include "exchange/handshake.h"
+#include "exchange/routing.h"
+#include "exchange/session.h"
+#include "exchange/waiting.h"
+#include "exchange/wire.h"
 
 namespace clay {
 

@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "farewell.h"
+#include "exchange/farewell.h"
 
 #include <errno.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@
 #include <thread>
 #include <utility>
 
-#include "wire.h"
+#include "exchange/wire.h"
 
 namespace clay {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "world.h"
+#include "exchange/world.h"
 
 namespace clay {
 

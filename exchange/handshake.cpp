@@ -1,11 +1,11 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "handshake.h"
+#include "exchange/handshake.h"
 
 #include <cstring>
 
-#include "farewell.h"
-#include "waiting.h"
-#include "wire.h"
+#include "exchange/farewell.h"
+#include "exchange/waiting.h"
+#include "exchange/wire.h"
 
 namespace clay {
 

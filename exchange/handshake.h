@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "terms.h"
-#include "world.h"
+#include "exchange/terms.h"
+#include "exchange/world.h"
 
 namespace clay {
 

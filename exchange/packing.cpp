@@ -1,6 +1,6 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 /// \file packing.cpp
-#include "packing.h"
+#include "exchange/packing.h"
 
 #include <algorithm>
 #include <numeric>

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "fields.h"
+#include "exchange/fields.h"
 
 namespace clay {
 

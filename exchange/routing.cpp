@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "routing.h"
+#include "exchange/routing.h"
 
 #include <algorithm>
 #include <cmath>

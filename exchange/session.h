@@ -13,9 +13,9 @@
 #include <memory>
 #include <vector>
 
-#include "fields.h"
-#include "terms.h"
-#include "world.h"
+#include "exchange/fields.h"
+#include "exchange/terms.h"
+#include "exchange/world.h"
 
 namespace clay {
 

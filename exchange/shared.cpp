@@ -1,9 +1,9 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "shared.h"
+#include "exchange/shared.h"
 
-#include "waiting.h"
-#include "wire.h"
-#include "world.h"
+#include "exchange/waiting.h"
+#include "exchange/wire.h"
+#include "exchange/world.h"
 
 namespace clay {
 

@@ -1,7 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 /// \file terms.cpp
 /// The terms as JSON. Doubles survive the way there and back bit by bit.
-#include "terms.h"
+#include "exchange/terms.h"
 
 #include <cmath>
 #include <limits>

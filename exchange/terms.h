@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fields.h"
+#include "exchange/fields.h"
 
 namespace clay {
 

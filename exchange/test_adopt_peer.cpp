@@ -2,7 +2,7 @@
 /// \file test_adopt_peer.cpp
 /// Either half as a host code that splits the world by itself, so that it needs
 /// no wrappers. Argument: dem or cfd.
-#include "test_peers.h"
+#include "exchange/test_peers.h"
 
 using clay::Field;
 

@@ -3,7 +3,7 @@
 /// A DEM half for the test runs: random particles, whose answers are known.
 #include <random>
 
-#include "test_peers.h"
+#include "exchange/test_peers.h"
 
 using clay::Field;
 

@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "session.h"
+#include "exchange/session.h"
 
 namespace peers {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "handshake.h"
-#include "packing.h"
-#include "routing.h"
-#include "terms.h"
-#include "test_peers.h"
+#include "exchange/handshake.h"
+#include "exchange/packing.h"
+#include "exchange/routing.h"
+#include "exchange/terms.h"
+#include "exchange/test_peers.h"
 
 using clay::CfdTerms;
 using clay::DemTerms;

@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "waiting.h"
+#include "exchange/waiting.h"
 
 #include <sched.h>
 #include <sys/prctl.h>
@@ -12,8 +12,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "farewell.h"
-#include "world.h"
+#include "exchange/farewell.h"
+#include "exchange/world.h"
 
 namespace clay {
 

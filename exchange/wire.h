@@ -3,7 +3,7 @@
 /// Tags and fixed messages of the exchange; internal to exchange/.
 #pragma once
 
-#include "fields.h"
+#include "exchange/fields.h"
 
 namespace clay::wire {
 

@@ -1,12 +1,12 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "world.h"
+#include "exchange/world.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <thread>
 
-#include "farewell.h"
+#include "exchange/farewell.h"
 
 namespace clay {
 

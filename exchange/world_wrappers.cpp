@@ -3,8 +3,8 @@
 /// MPI's profiling interface confines a host code to its half: each call that
 /// takes a communicator means the half where the host says MPI_COMM_WORLD. Here:
 /// start and end, messages, communicators; see also world_wrappers_groups.cpp.
-#include "farewell.h"
-#include "world_wrappers.h"
+#include "exchange/farewell.h"
+#include "exchange/world_wrappers.h"
 
 using clay::confined;
 

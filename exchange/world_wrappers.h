@@ -6,7 +6,7 @@
 #define OMPI_SKIP_MPICXX 1
 #include <mpi.h>
 
-#include "world.h"
+#include "exchange/world.h"
 
 namespace clay {
 

@@ -2,7 +2,7 @@
 /// \file world_wrappers_groups.cpp
 /// The wrappers of collective calls, topologies, windows and files; see
 /// world_wrappers.cpp.
-#include "world_wrappers.h"
+#include "exchange/world_wrappers.h"
 
 using clay::confined;
 

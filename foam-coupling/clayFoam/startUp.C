@@ -7,8 +7,8 @@
 #include "foamVersion.H"
 #include "vector.H"
 
-#include "terms.h"
-#include "world.h"
+#include "exchange/terms.h"
+#include "exchange/world.h"
 
 #include <malloc.h>
 

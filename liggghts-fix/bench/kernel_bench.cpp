@@ -2,7 +2,7 @@
 // Google Benchmarks of the DEM half's kernels.
 #include <benchmark/benchmark.h>
 
-#include "kernel_scenes.h"
+#include "bench/kernel_scenes.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "kernel_scenes.h"
+#include "bench/kernel_scenes.h"
 
 int main(int argc, char **argv)
 {

@@ -6,9 +6,9 @@
 
 #include <vector>
 
-#include "contact_kernel.h"
-#include "coul_kernel.h"
-#include "packing.h"
+#include "contacts/contact_kernel.h"
+#include "coulomb/coul_kernel.h"
+#include "exchange/packing.h"
 
 namespace clay {
 

@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "body_drag.h"
+#include "clumps/body_drag.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "body_resistance.h"
+#include "clumps/body_resistance.h"
 
 namespace LAMMPS_NS {
 

@@ -5,7 +5,7 @@
 #ifndef LMP_BODY_RESISTANCE_H
 #define LMP_BODY_RESISTANCE_H
 
-#include "body_drag.h"
+#include "clumps/body_drag.h"
 
 namespace LAMMPS_NS {
 

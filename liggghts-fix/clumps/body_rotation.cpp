@@ -1,11 +1,11 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "body_rotation.h"
+#include "clumps/body_rotation.h"
 
 #include <algorithm>
 #include <cstring>
 
-#include "clones.h"
-#include "inv_sqrt.h"
+#include "simd/clones.h"
+#include "simd/inv_sqrt.h"
 
 namespace LAMMPS_NS {
 

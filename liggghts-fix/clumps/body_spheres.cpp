@@ -1,10 +1,10 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "body_spheres.h"
+#include "clumps/body_spheres.h"
 
 #include <algorithm>
 #include <cstring>
 
-#include "clones.h"
+#include "simd/clones.h"
 
 namespace LAMMPS_NS {
 

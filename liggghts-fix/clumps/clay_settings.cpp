@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "clay_settings.h"
+#include "clumps/clay_settings.h"
 
 #include <cstdlib>
 #include <fstream>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "clump_geometry.h"
+#include "clumps/clump_geometry.h"
 
 namespace LAMMPS_NS {
 

@@ -1,10 +1,10 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "clump_geometry.h"
+#include "clumps/clump_geometry.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "clump_slice.h"
+#include "clumps/clump_slice.h"
 
 namespace clay {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "clump_geometry.h"
+#include "clumps/clump_geometry.h"
 
 namespace clay {
 

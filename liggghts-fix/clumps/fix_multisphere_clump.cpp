@@ -5,7 +5,7 @@
    fix_multisphere_clump_integrate.cpp.
 ------------------------------------------------------------------------- */
 
-#include "fix_multisphere_clump.h"
+#include "clumps/fix_multisphere_clump.h"
 
 #include "domain.h"
 #include "error.h"

@@ -17,9 +17,9 @@ FixStyle(multisphere/clump,FixMultisphereClump)
 
 #include <vector>
 
-#include "body_drag.h"
-#include "body_resistance.h"
-#include "body_spheres.h"
+#include "clumps/body_drag.h"
+#include "clumps/body_resistance.h"
+#include "clumps/body_spheres.h"
 #include "fix_multisphere.h"
 
 namespace LAMMPS_NS {

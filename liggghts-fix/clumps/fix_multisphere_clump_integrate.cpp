@@ -6,11 +6,11 @@
    concave particles, added mass, insertion in a stream) stays with LIGGGHTS.
 ------------------------------------------------------------------------- */
 
-#include "fix_multisphere_clump.h"
+#include "clumps/fix_multisphere_clump.h"
 
 #include <algorithm>
 
-#include "body_rotation.h"
+#include "clumps/body_rotation.h"
 #include "domain.h"
 #include "fix_gravity.h"
 #include "modify.h"

@@ -2,7 +2,7 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "fix_template_clay.h"
+#include "clumps/fix_template_clay.h"
 
 #include <cmath>
 #include <cstdio>
@@ -11,7 +11,7 @@
 
 #include "atom.h"
 #include "atom_vec.h"
-#include "clay_settings.h"
+#include "clumps/clay_settings.h"
 #include "comm.h"
 #include "error.h"
 #include "fix_multisphere.h"

@@ -17,7 +17,7 @@ FixStyle(particletemplate/clay,FixTemplateClay)
 
 #include <utility>
 
-#include "clay_settings.h"
+#include "clumps/clay_settings.h"
 #include "fix_template_multisphere.h"
 
 namespace LAMMPS_NS {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "clump_geometry.h"
+#include "clumps/clump_geometry.h"
 
 using namespace clay;
 using Eigen::Matrix3d;

@@ -3,14 +3,14 @@
 // The loop runs over blocks of pairs. What depends on the two spheres is put
 // side by side first; then all of the arithmetic is done on several pairs at
 // once, with masks in place of branches; then the forces are handed out.
-#include "contact_kernel.h"
+#include "contacts/contact_kernel.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include "clones.h"
-#include "inv_sqrt.h"
+#include "simd/clones.h"
+#include "simd/inv_sqrt.h"
 
 namespace clay {
 

@@ -2,11 +2,11 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "fix_contact_history_lean.h"
+#include "contacts/fix_contact_history_lean.h"
 
 #include "atom.h"
 #include "error.h"
-#include "pair_gran_lean.h"
+#include "contacts/pair_gran_lean.h"
 
 using namespace LAMMPS_NS;
 

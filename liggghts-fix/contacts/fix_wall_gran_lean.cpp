@@ -6,7 +6,7 @@
    see whether another sphere has come to touch.
 ------------------------------------------------------------------------- */
 
-#include "fix_wall_gran_lean.h"
+#include "contacts/fix_wall_gran_lean.h"
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,7 @@ FixStyle(wall/gran/lean,FixWallGranLean)
 
 #include <vector>
 
-#include "contact_kernel.h"
+#include "contacts/contact_kernel.h"
 #include "fix_wall_gran.h"
 
 namespace LAMMPS_NS {

@@ -4,7 +4,7 @@
    Settings and history; the forces are in pair_gran_lean_compute.cpp.
 ------------------------------------------------------------------------- */
 
-#include "pair_gran_lean.h"
+#include "contacts/pair_gran_lean.h"
 
 #include <cstdio>
 #include <cstring>
@@ -14,7 +14,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_contact_history_lean.h"
+#include "contacts/fix_contact_history_lean.h"
 #include "force.h"
 #include "lammps.h"
 #include "modify.h"

@@ -16,7 +16,7 @@ PairStyle(gran/lean,PairGranLean)
 
 #include <vector>
 
-#include "contact_kernel.h"
+#include "contacts/contact_kernel.h"
 #include "pair_gran_proxy.h"
 
 namespace LAMMPS_NS {

@@ -5,7 +5,7 @@
    taken out, and looked at alone until any others could have come to touch.
 ------------------------------------------------------------------------- */
 
-#include "pair_gran_lean.h"
+#include "contacts/pair_gran_lean.h"
 
 #include <algorithm>
 #include <cmath>

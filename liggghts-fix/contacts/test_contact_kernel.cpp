@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "contact_kernel.h"
+#include "contacts/contact_kernel.h"
 
 using namespace clay;
 using Eigen::Vector3d;

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "clump_geometry.h"
-#include "contact_limit.h"
+#include "clumps/clump_geometry.h"
+#include "contacts/contact_limit.h"
 
 using namespace clay;
 using Eigen::Matrix3d;

@@ -1,10 +1,10 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "charge_tiles.h"
+#include "coulomb/charge_tiles.h"
 
 #include <algorithm>
 
-#include "clones.h"
-#include "inv_sqrt.h"
+#include "simd/clones.h"
+#include "simd/inv_sqrt.h"
 
 namespace clay {
 

@@ -1,10 +1,10 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "coul_kernel.h"
+#include "coulomb/coul_kernel.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "near_pairs.h"
+#include "simd/near_pairs.h"
 
 namespace clay {
 

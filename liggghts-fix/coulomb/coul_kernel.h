@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "charge_tiles.h"
+#include "coulomb/charge_tiles.h"
 
 namespace clay {
 

@@ -4,7 +4,7 @@
    Settings, start and restart; the forces are in pair_coul_clump_compute.cpp.
 ------------------------------------------------------------------------- */
 
-#include "pair_coul_clump.h"
+#include "coulomb/pair_coul_clump.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -17,7 +17,7 @@ PairStyle(coul/clump,PairCoulClump)
 
 #include <vector>
 
-#include "coul_kernel.h"
+#include "coulomb/coul_kernel.h"
 #include "pair.h"
 
 namespace LAMMPS_NS {

@@ -8,7 +8,7 @@
    asked for through the ghost cut-off.
 ------------------------------------------------------------------------- */
 
-#include "pair_coul_clump.h"
+#include "coulomb/pair_coul_clump.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "coul_kernel.h"
+#include "coulomb/coul_kernel.h"
 
 using namespace clay;
 

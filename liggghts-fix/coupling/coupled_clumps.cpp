@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "coupled_clumps.h"
+#include "coupling/coupled_clumps.h"
 
 #include <cmath>
 #include <cstdio>
@@ -7,7 +7,7 @@
 
 #include "comm.h"
 #include "error.h"
-#include "fix_multisphere_clump.h"
+#include "clumps/fix_multisphere_clump.h"
 #include "fix_template_multisphere.h"
 #include "modify.h"
 

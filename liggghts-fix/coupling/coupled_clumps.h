@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "body_resistance.h"
-#include "clump_drag.h"
+#include "clumps/body_resistance.h"
+#include "resistance/clump_drag.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {

@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "coupling_report.h"
+#include "coupling/coupling_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "contact_check.h"
+#include "coupling/run_checks.h"
 #include "domain.h"
 #include "error.h"
 #include "fix.h"
@@ -19,7 +19,7 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair.h"
-#include "session.h"
+#include "exchange/session.h"
 #include "timer.h"
 #include "universe.h"
 #include "update.h"

@@ -2,25 +2,25 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "fix_couple_foam.h"
+#include "coupling/fix_couple_foam.h"
 
 #include <algorithm>
 #include <cstring>
 
 #include "atom.h"
 #include "comm.h"
-#include "contact_check.h"
-#include "coupled_clumps.h"
-#include "coupling_report.h"
+#include "coupling/run_checks.h"
+#include "coupling/coupled_clumps.h"
+#include "coupling/coupling_report.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_brownian.h"
+#include "thermal/fix_brownian.h"
 #include "fix_gravity.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
-#include "runaway_watch.h"
-#include "session.h"
+#include "coupling/runaway_watch.h"
+#include "exchange/session.h"
 #include "universe.h"
 #include "update.h"
 

@@ -18,9 +18,10 @@ FixStyle(couple/foam,FixCoupleFoam)
 #include <string>
 #include <vector>
 
-#include "fields.h"
+#include "exchange/fields.h"
 #include "fix.h"
-#include "fix_multisphere_clump.h"
+#include "clumps/fix_multisphere_clump.h"
+#include "fluid/coupled_fluid.h"
 
 namespace clay { class DemSession; struct DemTerms; }
 
@@ -30,7 +31,7 @@ class CoupledClumps;
 class CouplingReport;
 class RunawayWatch;
 
-class FixCoupleFoam : public Fix {
+class FixCoupleFoam : public Fix, public CoupledFluid {
  public:
   FixCoupleFoam(class LAMMPS *, int, char **);
   ~FixCoupleFoam();
@@ -47,9 +48,8 @@ class FixCoupleFoam : public Fix {
   void write_restart(FILE *);
   void restart(char *);
 
-  /// Of the fluid at the start of the run [Pa s]; of atom i, as last answered [kg/s].
-  double fluid_viscosity() const;
-  double drag_coefficient(int i) const { return fluid_[i][DRAG]; }
+  double fluid_viscosity() const override;
+  double drag_coefficient(int i) const override { return fluid_[i][DRAG]; }
   /// DEM steps between two exchanges.
   int interval() const { return interval_; }
   /// Particles keep still from now on, or move again (fix rest/bed).

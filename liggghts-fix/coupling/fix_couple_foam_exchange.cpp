@@ -5,22 +5,22 @@
    the CFD half, its answer back, the fluid's force on free spheres.
 ------------------------------------------------------------------------- */
 
-#include "fix_couple_foam.h"
+#include "coupling/fix_couple_foam.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "atom.h"
-#include "body_drag.h"
+#include "clumps/body_drag.h"
 #include "comm.h"
-#include "coupled_clumps.h"
-#include "coupling_report.h"
+#include "coupling/coupled_clumps.h"
+#include "coupling/coupling_report.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_brownian.h"
+#include "thermal/fix_brownian.h"
 #include "memory.h"
-#include "runaway_watch.h"
-#include "session.h"
+#include "coupling/runaway_watch.h"
+#include "exchange/session.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

@@ -5,7 +5,7 @@
    and is given what a particle at rest received from it.
 ------------------------------------------------------------------------- */
 
-#include "fix_couple_foam.h"
+#include "coupling/fix_couple_foam.h"
 
 #include <algorithm>
 #include <cmath>

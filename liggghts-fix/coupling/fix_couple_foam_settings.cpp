@@ -5,21 +5,21 @@
    it goes with that.
 ------------------------------------------------------------------------- */
 
-#include "fix_couple_foam.h"
+#include "coupling/fix_couple_foam.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
-#include "clump_drag.h"
-#include "contact_check.h"
-#include "coupled_clumps.h"
-#include "coupling_report.h"
+#include "resistance/clump_drag.h"
+#include "coupling/run_checks.h"
+#include "coupling/coupled_clumps.h"
+#include "coupling/coupling_report.h"
 #include "error.h"
 #include "force.h"
 #include "modify.h"
-#include "runaway_watch.h"
+#include "coupling/runaway_watch.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;

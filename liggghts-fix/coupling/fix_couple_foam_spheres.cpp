@@ -5,13 +5,13 @@
    that are in no body.
 ------------------------------------------------------------------------- */
 
-#include "fix_couple_foam.h"
+#include "coupling/fix_couple_foam.h"
 
 #include <algorithm>
 
 #include "atom.h"
-#include "body_drag.h"
-#include "fix_brownian.h"
+#include "clumps/body_drag.h"
+#include "thermal/fix_brownian.h"
 #include "memory.h"
 #include "update.h"
 

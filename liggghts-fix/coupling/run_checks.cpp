@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact_check.h"
+#include "coupling/run_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,13 @@
 #include "atom.h"
 #include "fix_multisphere.h"
 #include "fix_property_global.h"
-#include "fix_template_clay.h"
+#include "clumps/fix_template_clay.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "lammps.h"
 #include "modify.h"
 #include "neigh_list.h"
-#include "pair_coul_clump.h"
+#include "coulomb/pair_coul_clump.h"
 #include "pair_gran.h"
 #include "primitive_wall.h"
 #include "vector_container.h"

@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-/// \file contact_check.h
+/// \file run_checks.h
 /// The largest stable DEM step of a LIGGGHTS run, from its contact model.
 #ifndef LMP_CONTACT_CHECK_H
 #define LMP_CONTACT_CHECK_H
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "contact_limit.h"
+#include "contacts/contact_limit.h"
 
 namespace LAMMPS_NS {
 

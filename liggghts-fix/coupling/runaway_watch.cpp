@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "runaway_watch.h"
+#include "coupling/runaway_watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "atom.h"
-#include "contact_check.h"
+#include "coupling/run_checks.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_wall_gran.h"

@@ -8,7 +8,7 @@
 
 #include "input.h"
 #include "lammps.h"
-#include "register_styles.h"
+#include "driver/register_styles.h"
 #include "signal_handling.h"
 
 using namespace LAMMPS_NS;

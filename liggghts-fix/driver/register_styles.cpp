@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "register_styles.h"
+#include "driver/register_styles.h"
 
 #include <map>
 #include <string>
@@ -9,7 +9,7 @@
 #include "lammps.h"
 #include "modify.h"
 #include "pair.h"
-#include "styles.h"
+#include "driver/styles.h"
 
 using namespace LAMMPS_NS;
 
@@ -42,14 +42,14 @@ void LAMMPS_NS::register_clay_styles(LAMMPS *lmp)
   FixMap &fixes = *fix_map(*lmp->modify);
 #define FIX_CLASS
 #define FixStyle(key,Class) fixes[#key] = &create_fix<Class>;
-#include "styles.h"
+#include "driver/styles.h"
 #undef FixStyle
 #undef FIX_CLASS
 
   std::map<std::string,Force::PairCreator> &pairs = *lmp->force->pair_map;
 #define PAIR_CLASS
 #define PairStyle(key,Class) pairs[#key] = &create_pair<Class>;
-#include "styles.h"
+#include "driver/styles.h"
 #undef PairStyle
 #undef PAIR_CLASS
 }

@@ -2,7 +2,7 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "fix_lubrication.h"
+#include "films/fix_lubrication.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +12,13 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_couple_foam.h"
+#include "fluid/coupled_fluid.h"
 #include "fix_multisphere.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "modify.h"
 #include "neighbor.h"
-#include "near_pairs.h"
+#include "simd/near_pairs.h"
 #include "primitive_wall.h"
 #include "update.h"
 
@@ -117,7 +117,7 @@ void FixLubrication::init()
       error->all(FLERR,(std::string("Fix lubrication: must stand below 'fix ") + modify->fix[i]->id + " " +
                         style + "' in the script, since the films need its force").c_str());
   }
-  if (!given_ && !dynamic_cast<FixCoupleFoam*>(modify->find_fix_style("couple/foam",0)))
+  if (!given_ && !CoupledFluid::find(modify))
     error->all(FLERR,"Fix lubrication: 'viscosity' is missing (Pa s); without fix couple/foam there is no fluid to ask");
 
   bodies_ = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere",0));
@@ -145,8 +145,7 @@ void FixLubrication::init()
 void FixLubrication::setup(int vflag)
 {
   if (!given_) {
-    FixCoupleFoam *fluid = static_cast<FixCoupleFoam*>(modify->find_fix_style("couple/foam",0));
-    law_.viscosity = fluid->fluid_viscosity();
+    law_.viscosity = CoupledFluid::find(modify)->fluid_viscosity();
   }
   post_force(vflag);
 }

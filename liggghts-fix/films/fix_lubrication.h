@@ -18,7 +18,7 @@ FixStyle(lubrication,FixLubrication)
 #include <vector>
 
 #include "fix.h"
-#include "lubrication_step.h"
+#include "films/lubrication_step.h"
 
 namespace LAMMPS_NS {
 

@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "lubrication_law.h"
+#include "films/lubrication_law.h"
 
 #include <algorithm>
 #include <cmath>

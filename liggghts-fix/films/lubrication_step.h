@@ -4,7 +4,7 @@
 #ifndef LMP_LUBRICATION_STEP_H
 #define LMP_LUBRICATION_STEP_H
 
-#include "lubrication_law.h"
+#include "films/lubrication_law.h"
 
 namespace clay {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include "lubrication_law.h"
-#include "lubrication_step.h"
-#include "near_pairs.h"
+#include "films/lubrication_law.h"
+#include "films/lubrication_step.h"
+#include "simd/near_pairs.h"
 
 using namespace clay;
 

@@ -2,7 +2,7 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "fix_insert_placed.h"
+#include "placing/fix_insert_placed.h"
 
 #include <cmath>
 #include <cstdio>

@@ -19,7 +19,7 @@ FixStyle(insert/placed,FixInsertPlaced)
 #include <vector>
 
 #include "fix.h"
-#include "places_file.h"
+#include "placing/places_file.h"
 
 namespace LAMMPS_NS {
 

@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "places_file.h"
+#include "placing/places_file.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "places_file.h"
+#include "placing/places_file.h"
 
 using clay::readPlaces;
 

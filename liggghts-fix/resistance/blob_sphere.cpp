@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "blob_sphere.h"
+#include "resistance/blob_sphere.h"
 
 #include <cmath>
 #include <map>

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "shape_drag.h"
-#include "stokes_resistance.h"
+#include "resistance/shape_drag.h"
+#include "resistance/stokes_resistance.h"
 
 namespace clay {
 

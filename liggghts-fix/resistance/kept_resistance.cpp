@@ -10,7 +10,7 @@
 #include <sstream>
 #include <unistd.h>
 
-#include "clump_drag.h"
+#include "resistance/clump_drag.h"
 
 namespace clay {
 namespace {

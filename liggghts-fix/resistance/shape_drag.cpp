@@ -1,12 +1,12 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "shape_drag.h"
+#include "resistance/shape_drag.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
-#include "clump_slice.h"
+#include "clumps/clump_slice.h"
 
 namespace clay {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "clump_geometry.h"
+#include "clumps/clump_geometry.h"
 
 namespace clay {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "blob_sphere.h"
-#include "clump_geometry.h"
+#include "resistance/blob_sphere.h"
+#include "clumps/clump_geometry.h"
 
 namespace clay {
 

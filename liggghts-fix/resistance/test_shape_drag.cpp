@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "shape_drag.h"
+#include "resistance/shape_drag.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

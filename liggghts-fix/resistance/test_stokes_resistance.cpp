@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "stokes_resistance.h"
+#include "resistance/stokes_resistance.h"
 
 #include <algorithm>
 #include <chrono>

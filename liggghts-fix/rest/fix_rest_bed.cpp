@@ -2,7 +2,7 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "fix_rest_bed.h"
+#include "rest/fix_rest_bed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +12,15 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_couple_foam.h"
+#include "coupling/fix_couple_foam.h"
 #include "fix_gravity.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
-#include "pair_coul_clump.h"
+#include "coulomb/pair_coul_clump.h"
 #include "update.h"
-#include "verlet_clay.h"
+#include "rest/verlet_clay.h"
 
 using namespace LAMMPS_NS;
 

@@ -17,7 +17,7 @@ FixStyle(rest/bed,FixRestBed)
 #include <string>
 
 #include "fix.h"
-#include "rest_watch.h"
+#include "rest/rest_watch.h"
 
 namespace LAMMPS_NS {
 

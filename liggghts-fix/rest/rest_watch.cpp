@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "rest_watch.h"
+#include "rest/rest_watch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "rest_watch.h"
+#include "rest/rest_watch.h"
 
 using clay::RestLimits;
 using clay::RestSight;

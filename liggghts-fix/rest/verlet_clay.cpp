@@ -2,12 +2,12 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "verlet_clay.h"
+#include "rest/verlet_clay.h"
 
 #include <algorithm>
 
-#include "fix_couple_foam.h"
-#include "fix_rest_bed.h"
+#include "coupling/fix_couple_foam.h"
+#include "rest/fix_rest_bed.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"

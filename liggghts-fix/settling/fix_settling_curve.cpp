@@ -2,7 +2,7 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "fix_settling_curve.h"
+#include "settling/fix_settling_curve.h"
 
 #include <algorithm>
 #include <cmath>

@@ -18,7 +18,7 @@ FixStyle(settling/curve,FixSettlingCurve)
 #include <string>
 
 #include "fix.h"
-#include "settling_profile.h"
+#include "settling/settling_profile.h"
 
 namespace LAMMPS_NS {
 

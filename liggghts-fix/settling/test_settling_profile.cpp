@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "settling_profile.h"
+#include "settling/settling_profile.h"
 
 using clay::SettlingProfile;
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "clones.h"
+#include "simd/clones.h"
 
 namespace clay {
 

@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "near_pairs.h"
+#include "simd/near_pairs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "inv_sqrt.h"
+#include "simd/inv_sqrt.h"
 
 // relative error over four octaves of every size that lengths here have
 TEST(InvSqrt, rightToRounding)

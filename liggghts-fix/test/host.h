@@ -19,7 +19,7 @@
 #include "input.h"
 #include "lammps.h"
 #include "modify.h"
-#include "register_styles.h"
+#include "driver/register_styles.h"
 
 namespace test {
 

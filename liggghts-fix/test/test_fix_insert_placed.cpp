@@ -7,7 +7,7 @@
 #include <fstream>
 #include <random>
 
-#include "fix_insert_placed.h"
+#include "placing/fix_insert_placed.h"
 #include "host.h"
 #include "multisphere.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "fix_lubrication.h"
+#include "films/fix_lubrication.h"
 #include "host.h"
 
 using test::Host;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "fix_multisphere_clump.h"
+#include "clumps/fix_multisphere_clump.h"
 #include "host.h"
 #include "update.h"
 

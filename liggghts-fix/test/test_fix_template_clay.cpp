@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "fix_template_clay.h"
+#include "clumps/fix_template_clay.h"
 #include "host.h"
 #include "multisphere.h"
 #include "vector_container.h"

@@ -6,7 +6,7 @@
 
 #include "host.h"
 #include "pair.h"
-#include "pair_coul_clump.h"
+#include "coulomb/pair_coul_clump.h"
 #include "update.h"
 
 

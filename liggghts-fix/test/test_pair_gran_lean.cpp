@@ -4,13 +4,13 @@
 #include <cmath>
 #include <random>
 
-#include "contact_check.h"
+#include "coupling/run_checks.h"
 #include "fix_property_atom.h"
 #include "host.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "pair.h"
-#include "pair_gran_lean.h"
+#include "contacts/pair_gran_lean.h"
 #include "update.h"
 
 using test::Host;

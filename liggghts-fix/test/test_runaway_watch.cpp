@@ -8,7 +8,7 @@
 
 #include "atom.h"
 #include "host.h"
-#include "runaway_watch.h"
+#include "coupling/runaway_watch.h"
 #include "update.h"
 
 using LAMMPS_NS::RunawayWatch;

@@ -2,7 +2,7 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 ------------------------------------------------------------------------- */
 
-#include "fix_brownian.h"
+#include "thermal/fix_brownian.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -10,13 +10,13 @@
 #include <string>
 
 #include "atom.h"
-#include "body_drag.h"
+#include "clumps/body_drag.h"
 #include "error.h"
-#include "fix_couple_foam.h"
+#include "fluid/coupled_fluid.h"
 #include "fix_multisphere.h"
 #include "force.h"
 #include "modify.h"
-#include "thermal_kick.h"
+#include "thermal/thermal_kick.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -74,7 +74,7 @@ void FixBrownian::init()
     error->all(FLERR,"Fix brownian: needs spheres with IDs, as atom_style granular has them");
   if (modify->n_fixes_style("brownian") > 1)
     error->all(FLERR,"Fix brownian: there is one already");
-  fluid_ = dynamic_cast<FixCoupleFoam*>(modify->find_fix_style("couple/foam",0));
+  fluid_ = CoupledFluid::find(modify);
   bodies_ = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere",0));
   if (fluid_ && viscosity_ > 0.)
     error->all(FLERR,"Fix brownian: 'viscosity' is given, and fix couple/foam has the fluid's own; leave it out");

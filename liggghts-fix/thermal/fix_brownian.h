@@ -38,7 +38,7 @@ class FixBrownian : public Fix {
   double temperature_;            // [K]
   double viscosity_;              // without a coupling [Pa s]; 0 with one
   long seed_;
-  class FixCoupleFoam *fluid_;
+  class CoupledFluid *fluid_;
   class FixMultisphere *bodies_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "thermal_kick.h"
+#include "thermal/thermal_kick.h"
 
 using namespace clay;
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "clump_geometry.h"
-#include "contact_check.h"
+#include "clumps/clump_geometry.h"
+#include "coupling/run_checks.h"
 #include "host.h"
 
 using test::Host;
@@ -54,7 +54,7 @@ double kinetic(Host &host)
 
 }  // namespace
 
-TEST(ContactCheck, coefficientsAreThoseOfTheHost)
+TEST(RunChecks, coefficientsAreThoseOfTheHost)
 {
   for (int stiffness = 0; stiffness < 2; stiffness++) {
     Host host;
@@ -71,7 +71,7 @@ TEST(ContactCheck, coefficientsAreThoseOfTheHost)
   }
 }
 
-TEST(ContactCheck, otherModelsAreNotJudged)
+TEST(RunChecks, otherModelsAreNotJudged)
 {
   Host host;
   host(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") +
@@ -85,7 +85,7 @@ TEST(ContactCheck, otherModelsAreNotJudged)
   EXPECT_TRUE(std::isinf(LAMMPS_NS::present_step_limit(host.lmp.get())));
 }
 
-TEST(ContactCheck, limitsOfAPlateAtRest)
+TEST(RunChecks, limitsOfAPlateAtRest)
 {
   Host host;
   host(resting());
@@ -111,7 +111,7 @@ TEST(ContactCheck, limitsOfAPlateAtRest)
   EXPECT_NEAR(now, exact, 2e-3 * exact);
 }
 
-TEST(ContactCheck, theHostBlowsUpWhereTheLimitSays)
+TEST(RunChecks, theHostBlowsUpWhereTheLimitSays)
 {
   const auto clump = clay::illitePlate({1e-3, 2e-3, 1e-3, 2});
   const auto g = clay::sumOfSpheres(clump);
@@ -133,7 +133,7 @@ TEST(ContactCheck, theHostBlowsUpWhereTheLimitSays)
 }
 
 // of the spheres there are the lightest decides; the bound is the contact sum's
-TEST(ContactCheck, sphereAtRest)
+TEST(RunChecks, sphereAtRest)
 {
   Host host;
   host(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") + stiff() + pressed());
@@ -159,7 +159,7 @@ TEST(ContactCheck, sphereAtRest)
   EXPECT_EQ(which, "a sphere of type 1");
 }
 
-TEST(ContactCheck, chargesAgainstStiffness)
+TEST(RunChecks, chargesAgainstStiffness)
 {
   Host host;
   host(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") +

@@ -7,4 +7,9 @@ import sys
 
 if __name__ == "__main__":
     del sys.argv[0]
-    runpy.run_module(sys.argv[0], run_name="__main__", alter_sys=True)
+    try:
+        runpy.run_module(sys.argv[0], run_name="__main__", alter_sys=True)
+    except ModuleNotFoundError as e:
+        if e.name.partition(".")[0] in ("cases", "validation"):
+            raise
+        sys.exit(f"the Python module {e.name} is not there; cmake/setup.sh installs what this project needs")

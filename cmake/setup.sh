@@ -2,12 +2,18 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Makes the project ready to run: installs the Debian packages that are missing
-# and builds both halves when a source is newer than the build. Silent when
-# nothing is to be done. A sourced OpenFOAM environment is used as it is.
+# and builds both halves and their tests when a source is newer than the build;
+# with --programs what a run needs and no more. Silent when nothing is to be
+# done. A sourced OpenFOAM environment is used as it is.
 #
-# Usage: cmake/setup.sh [JOBS]
+# Usage: cmake/setup.sh [--programs] [JOBS]
 set -euo pipefail
 
+what=tests
+if [ "${1:-}" = --programs ]; then
+    what=programs
+    shift
+fi
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 stamp="$top/build/.ready"
 flavour=${WM_PROJECT_DIR:-packaged}
@@ -19,7 +25,9 @@ fi
 inputs=("$top/CMakeLists.txt" "$top/CMakePresets.json" "$top/cmake"
         "$top/exchange" "$top/liggghts-fix" "$top/foam-coupling")
 
-if [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$flavour" ] &&
+# the stamp says which OpenFOAM the build is for, and whether it has the tests
+made=$(cat "$stamp" 2> /dev/null || true)
+if { [ "$made" = "$flavour tests" ] || [ "$made" = "$flavour $what" ]; } &&
    [ -x "$top/build/bin/liggghts-clay" ] && [ -x "$top/build/bin/clayFoam" ] &&
    [ -z "$(find "${inputs[@]}" -newer "$stamp" ! -name '*.md' -print -quit)" ]; then
     exit 0
@@ -27,35 +35,36 @@ fi
 
 fail() { echo "setup: $*" >&2; exit 1; }
 
-packages="cmake g++ make liggghts libliggghts-dev openmpi-bin libopenmpi-dev
-    libeigen3-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev packmol valgrind
-    python3 python3-numpy python3-matplotlib python3-scipy"
+packages=(cmake g++ make liggghts libliggghts-dev openmpi-bin libopenmpi-dev
+    libeigen3-dev nlohmann-json3-dev librandom123-dev packmol
+    python3 python3-numpy python3-matplotlib python3-scipy)
+[ "$what" = programs ] ||
+    packages+=(libgtest-dev libbenchmark-dev valgrind python3-pytest python3-jinja2)
 # the headers of the package come from its source, a compressed tar file
-[ "$flavour" != packaged ] || packages="$packages openfoam libopenfoam bzip2 xz-utils"
+[ "$flavour" != packaged ] || packages+=(openfoam libopenfoam bzip2 xz-utils)
 
 command -v dpkg-query > /dev/null ||
-    fail "this is no Debian system; install by hand: $(echo $packages)"
-missing=""
-for p in $packages; do
-    [ "$(dpkg-query -W -f='${db:Status-Status}' "$p" 2> /dev/null)" = installed ] ||
-        missing="$missing $p"
+    fail "this is no Debian system; install by hand: ${packages[*]}"
+missing=()
+for p in "${packages[@]}"; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$p" 2> /dev/null)" = installed ] || missing+=("$p")
 done
 
-if [ -n "$missing" ]; then
+if [ "${#missing[@]}" != 0 ]; then
     root=()
     if [ "$(id -u)" != 0 ]; then
         command -v sudo > /dev/null ||
-            fail "these packages are missing, and neither root nor sudo is at hand:$missing"
+            fail "these packages are missing, and neither root nor sudo is at hand: ${missing[*]}"
         root=(sudo)
     fi
-    echo "setup: installing$missing"
+    echo "setup: installing ${missing[*]}"
     apt_log=$(mktemp)
     trap 'rm -f "$apt_log"' EXIT
     "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq update > "$apt_log" 2>&1 ||
         fail "apt-get update failed: $(tail -n 1 "$apt_log")"
     "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -y \
-        --no-install-recommends install $missing > "$apt_log" 2>&1 ||
-        fail "cannot install$missing: $(grep '^E:' "$apt_log" | tail -n 1)"
+        --no-install-recommends install "${missing[@]}" > "$apt_log" 2>&1 ||
+        fail "cannot install ${missing[*]}: $(grep '^E:' "$apt_log" | tail -n 1)"
 fi
 
 # The line of a build's log that tells most: the first complaint of a program,
@@ -72,19 +81,26 @@ complaint() {
 
 mkdir -p "$top/build"
 # what CMake found for another OpenFOAM must not be mixed with this one
-last=$(cat "$top/build/.flavour" 2> /dev/null || cat "$stamp" 2> /dev/null || echo "$flavour")
+last=$(cat "$top/build/.flavour" 2> /dev/null || echo "$flavour")
 [ "$last" = "$flavour" ] || rm -f "$top/build/CMakeCache.txt"
 echo "$flavour" > "$top/build/.flavour"
 began=$(mktemp "$top/build/.ready.XXXXXX")
 log="$top/build/setup.log"
 echo "setup: building (log in build/setup.log)"
 cd "$top"
-if ! { cmake --preset release && cmake --build --preset release -j"${1:-$(nproc)}"; } \
-        > "$log" 2>&1; then
+options=(-DCLAYFOAM_TESTS=ON) targets=()
+if [ "$what" = programs ]; then
+    targets=(--target liggghts-clay clayFoam)
+    # a build folder that has the tests keeps them, for the next time
+    options=()
+    [ -f build/CMakeCache.txt ] || options=(-DCLAYFOAM_TESTS=OFF)
+fi
+if ! { cmake --preset release "${options[@]}" &&
+       cmake --build --preset release -j"${1:-$(nproc)}" "${targets[@]}"; } > "$log" 2>&1; then
     rm -f "$began"
     fail "the build failed: $(complaint "$log") (log in build/setup.log)"
 fi
-echo "$flavour" > "$began.text"
+echo "$flavour $what" > "$began.text"
 touch -r "$began" "$began.text"
 mv "$began.text" "$stamp"
 rm -f "$began"

@@ -8,7 +8,6 @@ import sys
 from cases.lib.case import casefile, settings
 from cases.lib.case.errors import CaseError
 from cases.lib.case.program import guarded
-from cases.lib.run import launch, prepare
 
 
 def parser():
@@ -51,6 +50,7 @@ def main():
         if ranks < 1:
             raise CaseError(f"{option} {ranks}: at least one rank is wanted")
 
+    from cases.lib.run import launch, prepare  # which need more than Python's own modules
     derived = case.derive(args.dem, args.cfd)
     folder = prepare.run_folder(case, args.out, derived)
     run = launch.Run(folder, args.dem, args.cfd)

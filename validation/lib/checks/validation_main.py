@@ -2,24 +2,25 @@
 """validation/run: runs the checks of validation/ROOM/NAME/check.py."""
 
 import argparse
-import difflib
 import os
 import sys
 import time
 
+from cases.lib.case.errors import nearest
 from validation.lib.checks import results_page, rooms, verdicts
 from validation.lib.checks.coupled import RUNS
 
 
-class _Unreadable:
-    """Stands in for a check that cannot be loaded: running it says why."""
+class _Unreadable(Exception):
+    """A check whose file cannot be read as one."""
 
-    def __init__(self, error):
-        self.error = error
-        self.TITLE = "cannot be loaded"
 
-    def run(self, _):
-        raise self.error
+def headline(name):
+    """(title, whether it is long) of a check, and what is wrong with its file or None."""
+    try:
+        return *rooms.headline(name), None
+    except (OSError, SyntaxError, KeyError) as e:
+        return "cannot be loaded", False, _Unreadable(f"check.py of {name}: {type(e).__name__}: {e}")
 
 
 def main():
@@ -33,48 +34,45 @@ def main():
     p.add_argument("--json", metavar="FILE", help="write the results as JSON, too")
     args = p.parse_args()
 
-    known = list(rooms.holding("check.py"))
-    modules = {}
-    for name in args.names or known:
+    known = rooms.holding("check.py")
+    for name in args.names:
         if name not in known:
-            close = difflib.get_close_matches(name, known, 1, 0.4)
-            hint = f"did you mean '{close[0]}'?" if close else "known are " + ", ".join(known)
-            print(f"validation/run: unknown check '{name}'; {hint}", file=sys.stderr)
+            print(f"validation/run: {nearest(name, known, 'check')}", file=sys.stderr)
             return 2
-        try:
-            modules[name] = rooms.load(name)
-        except (Exception, SystemExit) as e:  # a broken check fails; the others go on
-            modules[name] = _Unreadable(e)
+    heads = {name: headline(name) for name in args.names or known}
     if args.list:
-        for name, module in modules.items():
-            print(f"{name:<22}{'(long) ' if getattr(module, 'LONG', False) else ''}{module.TITLE}")
+        rows = sorted((os.path.basename(os.path.dirname(known[name])), name, *head) for name, head in heads.items())
+        for room, name, title, long, _ in rows:
+            print(f"{room:<13}{name:<22}{'(long) ' if long else ''}{title}")
         return 0
 
     os.makedirs(RUNS, exist_ok=True)
     rows, results = [], []
     # the unit tests first: when they fail, so will the rest
-    for name in sorted(modules, key=lambda n: ("unit" not in n, n)):
-        module = modules[name]
-        if getattr(module, "LONG", False) and not (args.all or args.names):
+    for name in sorted(heads, key=lambda n: ("unit" not in n, n)):
+        title, long, wrong = heads[name]
+        if long and not (args.all or args.names):
             continue
-        print(f"-- {name}: {module.TITLE}", flush=True)
+        print(f"-- {name}: {title}", flush=True)
         checks = verdicts.Checks(name, lambda row: print(verdicts.line(row), flush=True))
         began = time.monotonic()
         try:
-            module.run(checks)
+            if wrong:
+                raise wrong
+            rooms.load(name).run(checks)
         except (Exception, SystemExit) as e:  # whatever it is, the other checks go on
             checks.true("came to its end", False, " ".join(f"{type(e).__name__}: {e}".split()))
         seconds = time.monotonic() - began
         print(f"   {seconds:.1f} s", flush=True)
         rows += checks.rows
-        results.append(results_page.Result(module.TITLE, checks, seconds))
+        results.append(results_page.Result(title, checks, seconds))
 
     verdicts.write_csv(os.path.join(RUNS, "validation.csv"), rows)
     if args.json:
         verdicts.write_json(args.json, rows)
     told = results_page.write(RUNS, results, keep=bool(args.names))
     if args.record:
-        results_page.record(RUNS, list(modules), rooms.HERE, rooms.holding("README.md"))
+        results_page.record(RUNS, list(heads), rooms.HERE, rooms.holding("README.md"))
     print(f"page of results: {os.path.relpath(told)}")
     failed = [r for r in rows if r["verdict"] != "pass"]
     if failed:

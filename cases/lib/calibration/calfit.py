@@ -155,7 +155,10 @@ class Problem:
     def slopes(self, q, logs):
         """J: how the curve changes with q (in units of the range) and ln s, shape (m, 2)."""
         unit = self.e.high - self.e.low
-        curve = lambda q, x: self.e.at(self.e.mean(q), self.tau * np.exp(-x))
+
+        def curve(q, x):
+            return self.e.at(self.e.mean(q), self.tau * np.exp(-x))
+
         a, b = max(self.e.low, q - 0.02 * unit), min(self.e.high, q + 0.02 * unit)
         return np.column_stack([(curve(b, logs) - curve(a, logs)) / ((b - a) / unit),
                                 (curve(q, logs + 0.01) - curve(q, logs - 0.01)) / 0.02])

@@ -14,6 +14,7 @@ import unittest
 from unittest import mock
 
 import numpy as np
+import pytest
 
 from cases.lib.calibration import caldata, calfit, calibrate, calloop
 from cases.lib.case import program
@@ -127,6 +128,7 @@ class SearchTest(unittest.TestCase):
         self.assertAlmostEqual(made.fit.q / 2.5e-10, 1, delta=0.01)
         self.assertAlmostEqual(made.fit.s / 7e5, 1, delta=0.01)
 
+    @pytest.mark.long
     def test_truth_lies_in_the_intervals(self):
         rng, inside, count = np.random.default_rng(7), np.zeros(3), 14
         for k in range(1, count + 1):
@@ -238,6 +240,7 @@ class ProgramTest(unittest.TestCase):
             status = program.guarded(calibrate.main, "cases/calibrate")
         return status, said.getvalue(), errors.getvalue()
 
+    @pytest.mark.long
     def test_made_up_truth_is_recovered(self):
         data, out = os.path.join(self.top, "made.csv"), os.path.join(self.top, "out")
         status, *_ = self.calibrate("--make-data", data, "--true", "charge=2.7e-10", "time_scale=7e5",

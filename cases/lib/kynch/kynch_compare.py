@@ -140,7 +140,10 @@ class Comparison:
         c, v = self.column, self.values
         windows = [m.window for m in self.runs]
         rz = c.kynch_rz
-        cell = lambda x, r: "" if x is None else f"{r['factor'] * x:.4g}"
+
+        def cell(x, r):
+            return "" if x is None else f"{r['factor'] * x:.4g}"
+
         lines = [f"{v['spheres']:.0f} spheres, solid fraction {c.phi_0:.4f}, drag {v['drag']}, {len(self.runs)} seed"
                  + ("s" if len(self.runs) > 1 else "")
                  + f"; Re {float(c.law.reynolds(c.phi_0)):.0f}, lone sphere {c.re_t:.0f}",

@@ -134,8 +134,10 @@ class Measured:
         height, final = column.height, column.kynch.final_height
         begin, stop = column.start.settled, height - LAST * (height - final)
         self.window = begin, float(record.t[np.argmax(record.top < stop)])
-        inside = lambda t, a=0.0, b=1.0: ((t >= begin + a * (self.window[1] - begin))
-                                          & (t <= begin + b * (self.window[1] - begin)))
+
+        def inside(t, a=0.0, b=1.0):
+            return (t >= begin + a * (self.window[1] - begin)) & (t <= begin + b * (self.window[1] - begin))
+
         if np.count_nonzero(inside(self.t)) < 8:
             remedy = "take more of them, --set frames=N"
             if not np.any(record.top < stop):
@@ -150,7 +152,10 @@ class Measured:
         meet = (bed[1] - shock[1]) / (shock[0] - bed[0])
         k, late = column.kynch, column.late
         shown = t <= k.t_c + column.start.lag
-        rms = lambda a, b: float(np.sqrt(np.mean((a - b)[shown]**2)))
+
+        def rms(a, b):
+            return float(np.sqrt(np.mean((a - b)[shown]**2)))
+
         self.numbers = {
             "interface_speed": -shock[0],
             "interface_speed_early": -line(self.t, self.interface, inside(self.t, 0, 0.5))[0],

@@ -29,7 +29,10 @@ class ProfileTest(unittest.TestCase):
     def test_one_sphere_cut_by_edges(self):
         # caps of a unit sphere about z = 5: pi h^2 (3 - h)/3
         edges = np.array([3.0, 4.0, 4.5, 5.0, 5.5, 6.0, 9.0])
-        cap = lambda h: np.pi * h**2 * (3 - h) / 3
+
+        def cap(h):
+            return np.pi * h**2 * (3 - h) / 3
+
         whole = 4 / 3 * np.pi
         found = kynch_measure.profile({"z": np.array([5.0])}, 1.0, 2.0, edges)
         np.testing.assert_allclose(2.0 * found, [0, 0, cap(0.5), whole / 2, whole - cap(0.5), whole, whole],

@@ -14,6 +14,7 @@ import unittest
 from unittest import mock
 
 import numpy as np
+import pytest
 
 from cases.lib.case.casefile import Case, TOP
 from cases.lib.case.errors import CaseError
@@ -110,6 +111,7 @@ class MethodTest(unittest.TestCase):
         self.assertEqual(pack_shapes.overlaps(shape, x, q)[0], 0)
         self.assertLessEqual(tube.beyond(shape.spheres(x, q), shape.radius).max(), 1e-6 * R)
 
+    @pytest.mark.long
     def test_random(self):
         for shape, fraction in ((SPHERE, 0.01), (SPHERE, 0.25), (PLATE, 0.01), (PLATE, 0.15)):
             with self.subTest(spheres=len(shape.centres), solid_fraction=fraction):
@@ -118,6 +120,7 @@ class MethodTest(unittest.TestCase):
                 self.check(shape, x, q, n)
                 self.assertEqual(brute(shape, x, q), 0)
 
+    @pytest.mark.long
     def test_expansion(self):
         for shape, fraction in ((SPHERE, 0.01), (SPHERE, 0.45), (PLATE, 0.06), (PLATE, 0.40)):
             with self.subTest(spheres=len(shape.centres), solid_fraction=fraction):
@@ -141,6 +144,7 @@ class MethodTest(unittest.TestCase):
                 order = np.argsort(kinds, kind="stable")
                 np.testing.assert_allclose(shape.spheres(x[order], q[order]), rows, atol=2e-6 * R)
 
+    @pytest.mark.long
     def test_seeds(self):
         n = number(PLATE, 0.08)
         places = {
@@ -167,6 +171,7 @@ class MethodTest(unittest.TestCase):
                 axis = pack_shapes.rotations(q)[:, :, 2]
                 np.testing.assert_allclose((axis**2).mean(axis=0), 1 / 3, atol=4 * math.sqrt(4 / 45 / n))
 
+    @pytest.mark.long
     def test_not_packed(self):
         with mock.patch.object(pack_random, "_IN_VAIN", 8000), self.assertRaises(pack_shapes.NotPacked) as e:
             pack_random.place(PLATE, number(PLATE, 0.45), TUBE, 1, quiet)
@@ -251,6 +256,7 @@ class FilesTest(unittest.TestCase):
         for name in ("packmol.inp", "packmol.log", "packmol.xyz", "ill.xyz", "kao.xyz"):
             self.assertTrue(os.path.isfile(os.path.join(self.out, "packmol", name)), name)
 
+    @pytest.mark.long
     def test_refusal(self):
         v = self.values(clumps="solid_fraction", solid_fraction=0.5, tube_radius=0.01, tube_height=0.03)
         with mock.patch.object(pack_random, "_IN_VAIN", 8000), self.assertRaisesRegex(

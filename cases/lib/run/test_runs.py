@@ -12,6 +12,8 @@ import time
 import unittest
 from unittest import mock
 
+import pytest
+
 from cases.lib.case.casefile import TOP
 from cases.lib.case.errors import CaseError
 from cases.lib.run import runkey, runs
@@ -151,6 +153,7 @@ class RunsTest(unittest.TestCase):
             with self.assertRaisesRegex(CaseError, "settling.csv: "):
                 runs.curve(self.top)
 
+    @pytest.mark.long
     def test_at_most_so_many_at_once(self):
         with mock.patch.object(runs.launch, "cores", lambda: 4):
             self.assertEqual(runs.default_jobs(), 2)

@@ -12,6 +12,8 @@ import textwrap
 import unittest
 from unittest import mock
 
+import pytest
+
 from cases.lib.case import program
 from cases.lib.case.casefile import Case
 from cases.lib.case.errors import CaseError
@@ -61,6 +63,7 @@ class SweepTest(unittest.TestCase):
             status = program.guarded(sweep.main, "cases/sweep")
         return status, said.getvalue(), errors.getvalue(), out
 
+    @pytest.mark.long
     def test_table_json_and_picture(self):
         status, said, _, out = self.sweep("--set", "charge=2e-10,4e-10", "--set", "end=7", "--seeds", "2")
         self.assertEqual(status, 0)
@@ -107,6 +110,7 @@ class SweepTest(unittest.TestCase):
         self.assertIn("particles fly", bad["error"])
         self.assertEqual((good["error"], good["stages"]["count"]), ("", 3))
 
+    @pytest.mark.long
     def test_dry_run(self):
         self.sweep("--set", "charge=1e-10")
         said = self.sweep("--set", "charge=1e-10,2e-10", "--dry-run")[1]
@@ -146,6 +150,7 @@ class SweepTest(unittest.TestCase):
         with self.assertRaises(ValueError):  # a mistake of the program's own
             program.guarded(fails(ValueError("?")), "x")
 
+    @pytest.mark.long
     def test_bad_input(self):
         for words, said in ((("--set", "charge"), "KEY=A,B,C is wanted"),
                             (("--set", "charge=1e-10,"), "KEY=A,B,C is wanted"),

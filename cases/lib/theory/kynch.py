@@ -286,7 +286,9 @@ class Kynch:
 
     def _meets_interface(self, speed):
         """Time at which a front z = speed t meets the upper interface."""
-        gap = lambda t: float(self.interface(t)) - speed * t
+        def gap(t):
+            return float(self.interface(t)) - speed * t
+
         high = self.t_c
         while gap(high) > 1e-12 * self.height and high < 1e6 * self.t_c:
             high *= 2.0

@@ -166,7 +166,10 @@ class Scaling:
                 ("Schiller-Naumann velocity [m/s]", model.terminal,
                  prototype.terminal),
                 ("Re with it", model.re, prototype.re)]
-        cell = lambda v: v if isinstance(v, str) else f"{v:.4g}"
+
+        def cell(v):
+            return v if isinstance(v, str) else f"{v:.4g}"
+
         lines = [f"{a:<34}{cell(b):>12}{cell(c):>12}" for a, b, c in rows]
         lines.append(f"{'T_p/T_m, Eq. 16':<34}{self.stokes_ratio:>12.4g}")
         lines.append(f"{'T_p/T_m in use':<34}{self.time_ratio:>12.4g}")

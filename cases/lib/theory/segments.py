@@ -28,7 +28,10 @@ def thin(t, z, points):
     bins = np.minimum((measure(t, z) * points).astype(int), points - 1)
     number = np.bincount(bins, minlength=points)
     keep = number > 0
-    mean = lambda x: np.bincount(bins, x, points)[keep] / number[keep]
+
+    def mean(x):
+        return np.bincount(bins, x, points)[keep] / number[keep]
+
     return mean(t), mean(z)
 
 

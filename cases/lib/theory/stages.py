@@ -187,9 +187,11 @@ def detect(time, height, most=4, level=0.95, samples=200, seed=1,
         drawn_knots.append(k)
         drawn_slopes.append(np.cumsum(b[1:]))
     tails = [0.5 * (1.0 - level), 0.5 * (1.0 + level)]
-    interval = lambda values, width: (
-        np.quantile(np.array(values), tails, axis=0).T.reshape(width, 2)
-        if samples else np.full((width, 2), np.nan))
+
+    def interval(values, width):
+        if not samples:
+            return np.full((width, 2), np.nan)
+        return np.quantile(np.array(values), tails, axis=0).T.reshape(width, 2)
 
     slopes = np.cumsum(c[1:])
     edges = np.concatenate([[0.0], knots, [1.0]])

@@ -4,10 +4,12 @@
 import unittest
 
 import numpy as np
+import pytest
 
 from cases.lib.theory import tables
 from cases.lib.theory.flux import DragLawFlux, RichardsonZaki, TabulatedFlux
 from cases.lib.theory.kynch import Kynch, lower_hull
+
 
 def ramped(phi_m=0.6, ramp=0.02, exponent=4.65):
     """Richardson-Zaki with v_t = 1, falling to zero over the last `ramp`, as
@@ -123,6 +125,7 @@ class KynchTest(unittest.TestCase):
         self.assertGreater(len(Kynch(flux, 0.35, 1.0).top_waves), 1)
         self.check_godunov(flux, 0.35, [0.5, 0.99, 1.5, 3.0], (0.2,))
 
+    @pytest.mark.long
     def test_flux_that_jumps_against_godunov(self):
         # the paper's drag law jumps at phi = 0.2; for Godunov the jump is
         # spread over 0.002, in units of the Stokes velocity
@@ -172,6 +175,7 @@ class KynchTest(unittest.TestCase):
                                delta=1e-5)
         self.assertEqual(f.t_end, np.inf)
 
+    @pytest.mark.long
     def test_balances_and_bounds(self):
         for phi_0 in (0.02, 0.3, 0.45):
             k = Kynch(RichardsonZaki(2e-3, 4.65, 0.6), phi_0, 0.15)

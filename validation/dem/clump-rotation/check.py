@@ -29,11 +29,11 @@ class Body:
         self.centre = m @ self.x / self.m
         self.v = m @ rows[:, 5:8] / self.m
         d = self.x - self.centre
-        self.I = sum(mi * (di @ di * np.eye(3) - np.outer(di, di)) + 0.4 * mi * ri**2 * np.eye(3)
+        self.inertia = sum(mi * (di @ di * np.eye(3) - np.outer(di, di)) + 0.4 * mi * ri**2 * np.eye(3)
                      for mi, di, ri in zip(m, d, r))
         self.momentum = self.m * self.v
-        self.spin = self.I @ self.w + np.cross(self.centre, self.momentum)
-        self.energy = 0.5 * self.m * self.v @ self.v + 0.5 * self.w @ self.I @ self.w
+        self.spin = self.inertia @ self.w + np.cross(self.centre, self.momentum)
+        self.energy = 0.5 * self.m * self.v @ self.v + 0.5 * self.w @ self.inertia @ self.w
 
 
 def rotation(folder):
@@ -103,13 +103,13 @@ def collision(checks):
     before = states[closest[1] - 2][1]
     ra, rb = (p.x[0] + s * 1e-3 * n - p.centre for p, s in zip((a0, b0), (1, -1)))
     approach = n @ (before[1].v + np.cross(before[1].w, rb) - before[0].v - np.cross(before[0].w, ra))
-    yielding = sum(1 / p.m + n @ np.cross(np.linalg.solve(p.I, np.cross(r, n)), r) for p, r in ((a0, ra), (b0, rb)))
+    yielding = sum(1 / p.m + n @ np.cross(np.linalg.solve(p.inertia, np.cross(r, n)), r) for p, r in ((a0, ra), (b0, rb)))
     J = -2 * approach / yielding * n
     checks.at_most("collision: velocity along the normal before it [m/s]", approach, -0.5)
     after = states[closest[1] + 2][1]
     for name, was, now, r, s in (("doublet", before[0], after[0], ra, -1), ("triangle", before[1], after[1], rb, 1)):
         v = was.v + s * J / was.m
-        w = was.w + np.linalg.solve(was.I, np.cross(r, s * J))
+        w = was.w + np.linalg.solve(was.inertia, np.cross(r, s * J))
         checks.at_most(f"collision: {name}, error of its velocity over the approach",
                        np.linalg.norm(now.v - v) / -approach, 1e-3)
         checks.at_most(f"collision: {name}, error of its spin over the change",

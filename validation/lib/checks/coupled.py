@@ -3,6 +3,7 @@
 
 import json
 import os
+import select
 import shutil
 import signal
 import subprocess
@@ -44,6 +45,23 @@ def stop(process):
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         return process.communicate()[0]
+
+
+def lines(process, pipe, silence):
+    """What a process that leads a session writes into a pipe, line by line as it
+    comes; ends the process when it writes nothing for `silence` seconds."""
+    rest = b""
+    while True:
+        if not select.select([pipe], [], [], silence)[0]:
+            stop(process)
+            break
+        said = os.read(pipe, 65536)
+        if not said:
+            break
+        *whole, rest = (rest + said).split(b"\n")
+        yield from whole
+    if rest:
+        yield rest
 
 
 def case(name, where, *options, limit=600):

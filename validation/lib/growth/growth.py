@@ -124,7 +124,10 @@ def draw(rows):
     def of(part, x, same=lambda r: True):
         chosen = [r for r in rows if r["part"] == part and same(r)]
         return [r[x] for r in chosen], [r["ns_each"] for r in chosen]
-    alone = lambda r: r["dem_ranks"] == r["cfd_ranks"] == 1  # noqa: E731
+
+    def alone(r):
+        return r["dem_ranks"] == r["cfd_ranks"] == 1
+
     series = [("DEM: particle-step", *of("DEM", "spheres"), "line"),
               ("exchange and mapping: particle-exchange", *of("exchange", "spheres", alone), "line"),
               ("CFD: cell-step, over cells", *of("CFD", "cells"), "line")]

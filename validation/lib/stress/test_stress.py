@@ -8,6 +8,7 @@ import tempfile
 import unittest
 
 import numpy as np
+import pytest
 
 from validation.lib.stress import stress_bounds, stress_main, stress_run
 from validation.lib.stress import stress_design as design
@@ -41,6 +42,7 @@ class Sample(unittest.TestCase):
         c = np.corrcoef(u.T) - np.eye(5)
         self.assertLess(abs(c).max(), 0.25)
 
+    @pytest.mark.long
     def test_a_short_map_has_all_parts(self):
         points = design.design(30)
         self.assertLessEqual(abs(len(points) - 30), 1)

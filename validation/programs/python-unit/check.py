@@ -3,30 +3,16 @@
 
 import json
 import os
-import select
 import subprocess
 import sys
 
-from validation.lib.checks.coupled import RUNS, TOP, stop
+from validation.lib.checks import coupled
+from validation.lib.checks.coupled import RUNS, TOP
 from validation.lib.checks.verdicts import Broken
 
 TITLE = "the unit tests of the Python parts (pytest)"
 LIMIT = 300.0  # [s] for a test; of several minutes on a loaded machine none took more than one
 _SILENCE = 60.0  # [s] more, after which a test that cannot be ended ends all
-
-
-def _lines(process, pipe):
-    """What pytest tells, line by line; stops it when it says nothing for too long."""
-    rest = b""
-    while True:
-        if not select.select([pipe], [], [], LIMIT + _SILENCE)[0]:
-            stop(process)
-            return
-        said = os.read(pipe, 65536)
-        if not said:
-            return
-        *lines, rest = (rest + said).split(b"\n")
-        yield from map(json.loads, lines)
 
 
 def run(checks):
@@ -39,7 +25,7 @@ def run(checks):
                                    start_new_session=True, pass_fds=(theirs,))
     os.close(theirs)
     listed, ended, going = None, set(), None
-    for line in _lines(process, ours):
+    for line in map(json.loads, coupled.lines(process, ours, LIMIT + _SILENCE)):
         listed, going = line.get("listed", listed), line.get("began", going)
         if "ended" in line:
             ended.add(line["ended"])

@@ -1,31 +1,55 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-"""Every test that ctest knows, one row each."""
+"""Every test that ctest knows, a row each as soon as it has ended."""
 
+import json
 import os
-import re
-import xml.etree.ElementTree as ElementTree
+import subprocess
 
-from validation.lib.checks import coupled
+from validation.lib.checks import coupled, ctest_report
+from validation.lib.checks.coupled import TOP
 from validation.lib.checks.verdicts import Broken
 
-TITLE = "the unit tests (ctest)"
+TITLE = "the unit tests in C++ (ctest)"
+LIMIT = 300  # [s] for a test that has no limit of its own; the longest of these is 600 s
+_SILENCE = 900.0  # [s] without a word, after which ctest itself is ended
+_BUILD = os.path.join(TOP, "build")
+_HALVES = ("exchange", "liggghts-fix", "foam-coupling")
+
+
+def _listed():
+    said = coupled.execute(["ctest", "--test-dir", _BUILD, "--show-only=json-v1"], 60).output
+    try:
+        return ctest_report.Listed(said[said.index("{"):])
+    except ValueError:
+        raise Broken(f"ctest lists no tests: {said.strip().splitlines()[-1:]}") from None
+
+
+def _sources():
+    """The project's C++ files, as paths."""
+    return [os.path.join(folder, f) for half in _HALVES for folder, _, files in os.walk(os.path.join(TOP, half))
+            for f in files]
+
+
+def _none(checks, question, found):
+    checks.true(question, not found, f"{len(found)}: {', '.join(found[:8])}" if found else "")
 
 
 def run(checks):
-    report = os.path.join(coupled.RUNS, "ctest.xml")
-    if os.path.exists(report):
-        os.remove(report)
-    outcome = coupled.execute(["ctest", "--test-dir", os.path.join(coupled.TOP, "build"),
-                               "--output-junit", report, "--timeout", "120"], 600)
-    if not os.path.exists(report):
-        raise Broken(f"ctest wrote no report: {outcome.output.strip().splitlines()[-1:]}")
-    tests = list(ElementTree.parse(report).getroot().iter("testcase"))
-    for test in tests:
-        reason = test.find("failure")
-        found = "" if reason is None else reason.get("message", "")
-        checks.true(test.get("name"), test.get("status") == "run", found)
-    listed = coupled.execute(["ctest", "--test-dir", os.path.join(coupled.TOP, "build"), "-N"], 60)
-    total = re.search(r"Total Tests: (\d+)", listed.output)
-    checks.at_least("tests run, and tests ctest lists", float(len(tests)),
-                    float(total.group(1)) if total else float("nan"))
-    checks.at_least("number of tests", float(len(tests)), 101.0)
+    listed = _listed()
+    ended = ctest_report.Ended(lambda name, reason: checks.true(name, not reason, reason))
+    ctest = subprocess.Popen(["ctest", "--test-dir", _BUILD, "--output-on-failure", "--timeout", str(LIMIT)], cwd=TOP,
+                             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             start_new_session=True)
+    for line in coupled.lines(ctest, ctest.stdout.fileno(), _SILENCE):
+        ended.take(line.decode(errors="replace"))
+    ended.close()
+    ctest.wait()
+    _none(checks, "tests that ctest lists and has not run", [n for n in listed.names if n not in ended.names])
+    _none(checks, "tests that are disabled", listed.disabled)
+    _none(checks, "programs of tests that no test runs", listed.idle_programs(os.listdir(os.path.join(_BUILD, "bin"))))
+    with open(os.path.join(_BUILD, "compile_commands.json"), encoding="utf-8") as f:
+        compiled = {os.path.normpath(os.path.join(c["directory"], c["file"])) for c in json.load(f)}
+    _none(checks, "files of tests that are not built",
+          [os.path.relpath(s, TOP) for s in ctest_report.sources_not_built(_sources(), compiled)])
+    with open(os.path.join(_BUILD, "Testing", "Temporary", "LastTest.log"), encoding="utf-8", errors="replace") as f:
+        _none(checks, "tests that their programs leave out", ctest_report.left_out(f.read()))

@@ -28,7 +28,7 @@ class Listed:
                          if p["name"] == "DISABLED" and p["value"]]
 
     def idle_programs(self, programs):
-        """Programs of tests, of those in build/bin, that no test runs."""
+        """Programs of tests, of those that the build makes, that no test runs."""
         return sorted(p for p in programs if _PROGRAM.fullmatch(p) and not _PEER.fullmatch(p) and p not in self.words)
 
 

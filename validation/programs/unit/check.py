@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import subprocess
 
 from validation.lib.checks import coupled, ctest_report
@@ -22,6 +23,12 @@ def _listed():
         return ctest_report.Listed(said[said.index("{"):])
     except ValueError:
         raise Broken(f"ctest lists no tests: {said.strip().splitlines()[-1:]}") from None
+
+
+def _targets():
+    """What CMake can build; a folder of programs may hold some of before."""
+    said = coupled.execute(["cmake", "--build", _BUILD, "--target", "help"], 60).output
+    return re.findall(r"^\.\.\. (\S+)$", said, re.M)
 
 
 def _sources():
@@ -46,7 +53,7 @@ def run(checks):
     ctest.wait()
     _none(checks, "tests that ctest lists and has not run", [n for n in listed.names if n not in ended.names])
     _none(checks, "tests that are disabled", listed.disabled)
-    _none(checks, "programs of tests that no test runs", listed.idle_programs(os.listdir(os.path.join(_BUILD, "bin"))))
+    _none(checks, "programs of tests that no test runs", listed.idle_programs(_targets()))
     with open(os.path.join(_BUILD, "compile_commands.json"), encoding="utf-8") as f:
         compiled = {os.path.normpath(os.path.join(c["directory"], c["file"])) for c in json.load(f)}
     _none(checks, "files of tests that are not built",

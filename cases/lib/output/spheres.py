@@ -1,7 +1,6 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-"""The DEM half's output: reads LIGGGHTS's dumps, writes what ParaView opens."""
+"""The DEM half's output: reads LIGGGHTS's dumps, draws their spheres."""
 
-import base64
 import glob
 import os
 import re
@@ -30,44 +29,6 @@ def read(path):
                 break
         rows = np.array(f.read().split(), dtype=float).reshape(-1, len(columns))
     return {c: rows[:, i] for i, c in enumerate(columns)}
-
-
-def _array(name, values, kind, components=1):
-    """An inline binary DataArray of a VTK file."""
-    raw = np.ascontiguousarray(values, dtype={"Float64": "<f8", "Int64": "<i8"}[kind]).tobytes()
-    body = base64.b64encode(len(raw).to_bytes(8, "little") + raw).decode()
-    return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" '
-            f'format="binary">{body}</DataArray>\n')
-
-
-def write_vtp(path, s):
-    """One moment's spheres as points with velocity, radius, clump and type."""
-    n = len(s["id"])
-    xyz = np.column_stack([s["x"], s["y"], s["z"]])
-    velocity = np.column_stack([s["vx"], s["vy"], s["vz"]])
-    with open(path, "w", encoding="utf-8") as f:
-        f.write('<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" '
-                'byte_order="LittleEndian" header_type="UInt64">\n<PolyData>\n'
-                f'<Piece NumberOfPoints="{n}" NumberOfVerts="{n}">\n<PointData Scalars="clump">\n'
-                + _array("clump", s.get("mol", s["id"]), "Int64") + _array("type", s["type"], "Int64")
-                + _array("id", s["id"], "Int64") + _array("radius", s["radius"], "Float64")
-                + _array("velocity", velocity, "Float64", 3)
-                + "</PointData>\n<Points>\n" + _array("Points", xyz, "Float64", 3)
-                + "</Points>\n<Verts>\n" + _array("connectivity", np.arange(n), "Int64")
-                + _array("offsets", np.arange(1, n + 1), "Int64")
-                + "</Verts>\n</Piece>\n</PolyData>\n</VTKFile>\n")
-
-
-def for_paraview(folder, dem_step):
-    """A .vtp a dump, and DEM/spheres.pvd with the time of each."""
-    lines = []
-    for step, path in dumps(folder):
-        target = path[:-len(".dump")] + ".vtp"
-        write_vtp(target, read(path))
-        lines.append(f'<DataSet timestep="{step * dem_step:.9g}" file="{os.path.basename(target)}"/>\n')
-    with open(os.path.join(folder, "DEM", "spheres.pvd"), "w", encoding="utf-8") as f:
-        f.write('<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n<Collection>\n'
-                + "".join(lines) + "</Collection>\n</VTKFile>\n")
 
 
 def hues(s):

@@ -20,7 +20,7 @@ def parser():
     p = argparse.ArgumentParser(
         prog="cases/pack", allow_abbrev=False,
         description="Makes the packing of a case: packing.places for fix insert/placed, the report "
-                    "packing.json, the picture packing.png, and packing.vtp for ParaView.",
+                    "packing.json, the picture packing.png, and packing.vtu for ParaView.",
         epilog="cases/run NAME --keys lists a case's keys; packing, solid_fraction, fill_height and "
                "seed are among them.")
     p.add_argument("name", metavar="NAME", help="the case")
@@ -40,7 +40,7 @@ def _clear(out):
         raise CaseError(f"--out {out}: is the folder of a run; name a new folder")
     if "packing.json" not in there and not all(n == "packmol" or n.startswith("packing.") for n in there):
         raise CaseError(f"--out {out}: holds other things than a packing; name a new folder")
-    for name in ("packing.png", "packing.vtp"):
+    for name in ("packing.png", "packing.vtu"):
         with contextlib.suppress(FileNotFoundError):
             os.remove(os.path.join(out, name))
 
@@ -60,10 +60,10 @@ def points(folder, v):
 
 def draw(folder, v, report):
     """packing.png: the tube from the side, and from above."""
-    from cases.lib.output import spheres
+    from cases.lib.output import paraview, spheres
     from cases.lib.output.plotting import plt
     s = points(folder, v)
-    spheres.write_vtp(os.path.join(folder, "packing.vtp"), s)
+    paraview.write(os.path.join(folder, "packing.vtu"), s)
     radius, height = v["tube_radius"], v["tube_height"]
     tall = 6.0
     wide = tall * 2 * radius / height

@@ -277,7 +277,7 @@ class FilesTest(unittest.TestCase):
         s = pack_main.points(self.out, v)
         self.assertEqual(len(s["x"]), 140)
         pack_main.draw(self.out, v, report)
-        for name in ("packing.png", "packing.vtp"):
+        for name in ("packing.png", "packing.vtu"):
             self.assertGreater(os.path.getsize(os.path.join(self.out, name)), 5000)
 
 

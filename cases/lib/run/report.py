@@ -146,9 +146,9 @@ def finish(case, run, derived, alone=False, pictures=True):
     s = summary(case, run, derived, _alone(run) if alone else None)
     if run.cfd > 1:
         openfoam.run("reconstructPar", os.path.join(run.folder, "CFD"))
-    from cases.lib.output import spheres
+    from cases.lib.output import paraview
     if glob.glob(os.path.join(glob.escape(run.folder), "DEM", "spheres.*.dump")):
-        spheres.for_paraview(run.folder, v["dem_step"])
+        paraview.time_series(run.folder, v["dem_step"])
     if pictures and settled and "tube_radius" in v:
         import numpy as np
         from cases.lib.output import pictures as draw

@@ -55,12 +55,31 @@ class PageTest(unittest.TestCase):
             self.assertIn("kept", text)
             with open(os.path.join(here, "RESULTS.md"), encoding="utf-8") as f:
                 self.assertIn("## one", f.read())
+            self.assertIn("<td>far</td>", shown)
+            self.assertNotIn("rows passed; those that failed", shown)
             # another case is added to those stored; a whole run begins anew
             other = verdicts.Checks("two", lambda row: None)
             results_page.write(folder, [results_page.Result("b", other, 1.0)], keep=True)
             self.assertEqual(sorted(os.listdir(os.path.join(folder, "cases"))), ["one.json", "two.json"])
             results_page.write(folder, [results_page.Result("b", other, 1.0)], keep=False)
             self.assertEqual(os.listdir(os.path.join(folder, "cases")), ["two.json"])
+
+    def test_of_many_rows_those_that_failed(self):
+        checks = verdicts.Checks("many", lambda row: None)
+        for k in range(41):
+            checks.true(f"row {k} & more", k != 7)
+        with tempfile.TemporaryDirectory() as folder:
+            picture = os.path.join(folder, "drawn.png")
+            open(picture, "w", encoding="utf-8").close()
+            checks.picture(picture)
+            with open(results_page.write(folder, [results_page.Result("t", checks, 1.0)], keep=False),
+                      encoding="utf-8") as f:
+                shown = f.read()
+            self.assertIn("<p>40 rows passed; those that failed:</p>", shown)
+            self.assertIn("<td>row 7 &amp; more</td>", shown)
+            self.assertNotIn("row 8 ", shown)
+            self.assertIn('<img src="cases/many-1.png"', shown)
+            self.assertTrue(os.path.isfile(os.path.join(folder, "cases", "many-1.png")))
 
 
 if __name__ == "__main__":

@@ -57,29 +57,29 @@ def read(path, height0=None):
     for number, cells in curvefile.rows(path, f"--data {path}")[1]:
         where, line = f"--data {path}, line {number}", ",".join(cells)
         if len(cells) != 2:
-            raise CaseError(f"{where}: '{line}': days and height, with a comma between, are wanted")
+            raise CaseError(f"{where}: '{line}': must be days and height with a comma between")
         try:
             row = [float(c) for c in cells]
         except ValueError:
-            raise CaseError(f"{where}: '{line}': two numbers, days and height, are wanted") from None
+            raise CaseError(f"{where}: '{line}': must be two numbers, days and height") from None
         if not all(math.isfinite(x) for x in row):
-            raise CaseError(f"{where}: '{line}': finite numbers are wanted")
+            raise CaseError(f"{where}: '{line}': must be finite numbers")
         if row[0] < 0:
-            raise CaseError(f"{where}: day {text(row[0])}: 0 or more is wanted")
+            raise CaseError(f"{where}: day {text(row[0])}: must be 0 or more")
         if row[1] <= 0:
-            raise CaseError(f"{where}: height {text(row[1])}: above 0 is wanted")
+            raise CaseError(f"{where}: height {text(row[1])}: must be above 0")
         if rows and row[0] <= rows[-1][0]:
             raise CaseError(f"{where}: day {text(row[0])} does not come after day {text(rows[-1][0])}")
         rows.append(row)
     if len(rows) < LEAST_ROWS:
-        raise CaseError(f"--data {path}: {len(rows)} rows, at least {LEAST_ROWS} are wanted")
+        raise CaseError(f"--data {path}: {len(rows)} rows; must be at least {LEAST_ROWS}")
     if height0 is not None and not height0 > 0:
-        raise CaseError(f"--height0 {height0}: above 0 is wanted")
+        raise CaseError(f"--height0 {height0}: must be above 0")
     days, height = np.array(rows).T
     data = of(path, days, height, height0 or float(height[0]))
     if data.slopes[0] >= 0:
         raise CaseError(f"--data {path}: the curve does not fall in its first stage, up to day "
-                        f"{text(data.days[data.stage == 1][-1])}; one that settles is wanted")
+                        f"{text(data.days[data.stage == 1][-1])}; it must settle")
     return data
 
 

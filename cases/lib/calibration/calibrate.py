@@ -68,9 +68,9 @@ def charges_of(args, case):
     try:
         found = [float(q) for q in args.charges.split(",")]
     except ValueError:
-        raise CaseError(f"--charges {args.charges}: numbers with commas between are wanted") from None
+        raise CaseError(f"--charges {args.charges}: must be numbers with commas between") from None
     if len(set(found)) < 3 or min(found) <= 0:
-        raise CaseError(f"--charges {args.charges}: three different ones or more, above 0, are wanted")
+        raise CaseError(f"--charges {args.charges}: must be three different ones or more, above 0")
     return sorted(found)
 
 
@@ -83,11 +83,11 @@ def fill(case):
 def make_data(args, case, changes, store):
     for key, value in settings.read(args.true, "--true").items():
         if key not in ("charge", "time_scale"):
-            raise CaseError(f"--true {key}={value}: charge=VALUE and time_scale=VALUE are wanted")
+            raise CaseError(f"--true {key}={value}: must be charge=VALUE or time_scale=VALUE")
         case.set(key, value)
     if not 0 <= args.noise < np.inf or args.rows < caldata.LEAST_ROWS:
-        raise CaseError(f"--noise {args.noise} --rows {args.rows}: 0 or more, and at least {caldata.LEAST_ROWS}, "
-                        "are wanted")
+        raise CaseError(f"--noise {args.noise} --rows {args.rows}: must be 0 or more, and "
+                        f"at least {caldata.LEAST_ROWS}")
     caldata.check_new(args.make_data)
     true = {**changes, "charge": case.values["charge"], "seed": args.seed}
     folder = store.run(args.name, true)
@@ -201,10 +201,10 @@ def main():
     for option, value, most in (("--jobs", args.jobs, launch.cores()), ("--seeds", args.seeds, 100),
                                 ("--most", args.most, 1000)):
         if value is not None and not 1 <= value <= most:
-            raise CaseError(f"{option} {value}: 1 to {most} is wanted")
+            raise CaseError(f"{option} {value}: must be a whole number from 1 to {most}")
     store = runs.Store(args.store)
     if not args.within >= 0:
-        raise CaseError(f"--within {args.within}: 0 or more is wanted")
+        raise CaseError(f"--within {args.within}: must be 0 or more")
     if args.make_data:
         return make_data(args, case, changes, store)
     data = caldata.read(args.data, args.height0)

@@ -19,7 +19,7 @@ def rows(path, said=None):
             table = csv.reader(line.partition("#")[0] for line in f)
             found = [(table.line_num, [c.strip() for c in row]) for row in table if any(c.strip() for c in row)]
     except (UnicodeDecodeError, csv.Error):
-        raise CaseError(f"{said}: is no CSV") from None
+        raise CaseError(f"{said}: is not a CSV") from None
     if not found:
         raise CaseError(f"{said}: holds no rows")
     if any(_LIKE_NUMBER.match(c) for c in found[0][1]):

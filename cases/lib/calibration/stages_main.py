@@ -47,7 +47,7 @@ def read(path, wanted=None):
     if wanted:
         chosen = [w.strip() for w in wanted.split(",")]
         if len(chosen) != 2:
-            raise CaseError(f"--data {wanted}: two columns, TIME,HEIGHT, are wanted")
+            raise CaseError(f"--data {wanted}: must be two columns, TIME,HEIGHT")
     elif {"time_s", "interface_m"} <= set(names):
         chosen = ["time_s", "interface_m"]
     elif len(names) == 2:
@@ -62,7 +62,7 @@ def read(path, wanted=None):
         where = f"{path}, line {number}"
         pair = [_number(cells[k]) if k < len(cells) else None for k in places]
         if None in pair:
-            raise CaseError(f"{where}: '{','.join(cells)}': numbers are wanted in {chosen[0]} and {chosen[1]}")
+            raise CaseError(f"{where}: '{','.join(cells)}': must be numbers in {chosen[0]} and {chosen[1]}")
         if found and pair[0] <= found[-1][0]:
             raise CaseError(f"{where}: time {pair[0]:g} does not come after {found[-1][0]:g}")
         found.append(pair)
@@ -167,14 +167,14 @@ def draw(path, t, z, fit, names, title):
 def main():
     args = parser().parse_args()
     if not 0 < args.level < 100:
-        raise CaseError(f"--level {args.level:g}: percent between 0 and 100 are wanted")
+        raise CaseError(f"--level {args.level:g}: must be a percentage between 0 and 100")
     if args.samples < 20:
-        raise CaseError(f"--samples {args.samples}: at least 20 are wanted")
+        raise CaseError(f"--samples {args.samples}: must be at least 20")
     path, scale, title = args.curve, None, os.path.basename(args.curve)
     if os.path.isdir(path):
         folder, path = path, os.path.join(path, "settling.csv")
         if not os.path.isfile(path):
-            raise CaseError(f"{folder}: holds no settling.csv; a run folder or a CSV is wanted")
+            raise CaseError(f"{folder}: holds no settling.csv; name a run folder or a CSV")
         try:
             with open(os.path.join(folder, "summary.json"), encoding="utf-8") as f:
                 summary = json.load(f)
@@ -182,12 +182,12 @@ def main():
         except (OSError, ValueError, KeyError, TypeError):  # the curve is all that is needed
             scale, title = None, os.path.basename(os.path.abspath(folder))
     elif not os.path.isfile(path):
-        raise CaseError(f"{path}: is not there; a run folder or a CSV is wanted")
+        raise CaseError(f"{path}: does not exist; name a run folder or a CSV")
     names, t, z = read(path, args.data)
     keep = ((t >= (t[0] if args.begin is None else args.begin)) & (t <= (t[-1] if args.end is None else args.end)))
     t, z = t[keep], z[keep]
     if t.size < _LEAST_ROWS:
-        raise CaseError(f"{path}: {t.size} rows, at least {_LEAST_ROWS} are wanted")
+        raise CaseError(f"{path}: {t.size} rows; must be at least {_LEAST_ROWS}")
     out = settings.folder(args.out or os.path.dirname(os.path.abspath(path)))
     fit, stages = find(t, z, args)
     print(table(fit, stages, names, scale))

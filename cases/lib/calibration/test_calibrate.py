@@ -70,17 +70,17 @@ class DataTest(unittest.TestCase):
 
     def test_bad_rows_by_line(self):
         good = [f"{d},{0.3 - 0.01 * d}" for d in range(15)]
-        for row, words in (("1;2", "line 4: '1;2': days and height"), ("a,0.2", "line 4: 'a,0.2': two numbers"),
-                           ("2,nan", "line 4.*finite"), ("-3,0.2", "line 4: day -3: 0 or more"),
-                           ("2.5,0", "line 4: height 0: above 0"), ("1,0.2", "line 4: day 1 does not come after day 2"),
-                           ("3,0.2,1", "line 4: '3,0.2,1': days and height")):
+        for row, words in (("1;2", "line 4: '1;2': must be days and height"), ("a,0.2", "line 4: 'a,0.2': must be two numbers"),
+                           ("2,nan", "line 4.*must be finite"), ("-3,0.2", "line 4: day -3: must be 0 or more"),
+                           ("2.5,0", "line 4: height 0: must be above 0"), ("1,0.2", "line 4: day 1 does not come after day 2"),
+                           ("3,0.2,1", "line 4: '3,0.2,1': must be days and height")):
             with self.assertRaisesRegex(CaseError, words):
                 self.read("\n".join([*good[:3], row, *good[3:]]))
-        with self.assertRaisesRegex(CaseError, "11 rows, at least 12"):
+        with self.assertRaisesRegex(CaseError, "11 rows; must be at least 12"):
             self.read("\n".join(good[:11]))
         with self.assertRaisesRegex(CaseError, "does not fall in its first stage"):
             self.read("\n".join(f"{d},{0.1 + 0.01 * d}" for d in range(15)))
-        with self.assertRaisesRegex(CaseError, "line 1: '0,x': two numbers"):
+        with self.assertRaisesRegex(CaseError, "line 1: '0,x': must be two numbers"):
             self.read("\n".join(["0,x", *good]))
         with self.assertRaisesRegex(CaseError, "--height0 0"):
             self.read("\n".join(good), height0=0.0)

@@ -51,7 +51,7 @@ def _read(name):
     except ValueError as e:
         raise CaseError(f"{path}: {e}") from None
     if not isinstance(found, dict):
-        raise CaseError(f"{path}: an object with title, like, set, parameters is wanted")
+        raise CaseError(f"{path}: must be an object with title, like, set, parameters")
     for word in found:
         if word not in _PARTS:
             raise CaseError(f"{path}: {nearest(word, _PARTS, 'entry')}")
@@ -125,7 +125,7 @@ class Case:
     def _check_sets(key, entry):
         """Refuses an entry `sets` that is not {choice: {key: value}} of all choices."""
         if "sets" in entry and (sorted(entry["sets"]) != sorted(entry.get("choices", [])) or entry["sets"][entry["value"]]):
-            raise CaseError(f"{key}: sets: an object for each of the choices is wanted, "
+            raise CaseError(f"{key}: sets: must hold an object for each of the choices, "
                             f"an empty one for {entry['value']}")
 
     def _check(self, key, value, shown):
@@ -148,12 +148,14 @@ class Case:
                     and math.isfinite(value) and all(holds(value, at) for at, _, holds in limits)
                     and not (entry.get("whole") and value != int(value)))
             wanted = "a whole number" if entry.get("whole") else "a finite number"
-            if limits:
+            if "min" in entry and "max" in entry:
+                wanted += f" from {text(entry['min'])} to {text(entry['max'])}"
+            elif limits:
                 wanted += " " + " and ".join(f"{words} {text(at)}" for at, words, _ in limits)
             if "or" in entry:
                 wanted += ", or " + " or ".join(entry["or"])
         if not good:
-            raise CaseError(f"{key} = {shown}: {wanted} is wanted ({entry['is']})")
+            raise CaseError(f"{key} = {shown}: must be {wanted} ({entry['is']})")
 
     def set(self, key, text):
         """Takes a changed value; its type is that of the value in case.json."""
@@ -167,7 +169,7 @@ class Case:
                 value = float(text)
             except ValueError:
                 wanted = " or ".join(["a number", *words])
-                raise CaseError(f"{key} = {text}: {wanted} is wanted ({entry['is']})") from None
+                raise CaseError(f"{key} = {text}: must be {wanted} ({entry['is']})") from None
         self._check(key, value, text)
         if entry.get("whole") and not isinstance(value, str):
             value = int(value)
@@ -177,10 +179,10 @@ class Case:
         """What both halves' input needs besides: counts of steps, numbers for words."""
         v = self.values
         if v["end"] / v["dem_step"] > _MOST_STEPS:
-            raise CaseError(f"end = {v['end']} s: at most {_MOST_STEPS} steps of dem_step = {v['dem_step']} s are wanted")
+            raise CaseError(f"end = {v['end']} s: must be at most {_MOST_STEPS} steps of dem_step = {v['dem_step']} s")
         steps = round(v["end"] / v["dem_step"])
         if abs(steps * v["dem_step"] - v["end"]) > 1e-6 * v["end"]:
-            raise CaseError(f"end = {v['end']} s is no multiple of dem_step = {v['dem_step']} s")
+            raise CaseError(f"end = {v['end']} s: must be a multiple of dem_step = {v['dem_step']} s")
         every = int(v["coupling_steps"])
         frame = every * _every(max(1, steps // every), steps / v["frames"] / every)
         return {

@@ -21,7 +21,7 @@ def change(kind, cfd, v):
     if kind == "hex":
         return
     if "cyclic" in (v["sides"], v["bottom"], v["top"]):
-        raise CaseError(f"mesh = {kind}: walls, slip, inlet and open are wanted, not cyclic")
+        raise CaseError(f"mesh = {kind}: sides, bottom and top must be wall, slip, inlet or open, not cyclic")
     mesh = os.path.join(cfd, "constant", "polyMesh")
     counts = [int(v["cells_" + a]) for a in "xyz"]
     sizes = [float(v["size_" + a]) for a in "xyz"]

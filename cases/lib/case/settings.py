@@ -20,7 +20,7 @@ def split(setting, option="--set", form="KEY=VALUE"):
     """Key and value of one setting."""
     key, sign, value = (x.strip() for x in setting.partition("="))
     if not sign or not key:
-        raise CaseError(f"{option} {setting}: {form} is wanted")
+        raise CaseError(f"{option} {setting}: must have the form {form}")
     return key, value
 
 

@@ -27,7 +27,7 @@ def particle_volume(v):
 def _box(values):
     """What a box's sides are to the DEM half: its boundaries, whether there are walls."""
     if (values["bottom"] == "cyclic") != (values["top"] == "cyclic"):
-        raise CaseError(f"top = {values['top']}, bottom = {values['bottom']}: cyclic is wanted of both, or of none")
+        raise CaseError(f"top = {values['top']}, bottom = {values['bottom']}: both must be cyclic, or neither")
     around, along = (values[k] == "cyclic" for k in ("sides", "bottom"))
     return {"around": "p" if around else "f", "along": "p" if along else "f",
             "side_walls": int(not around), "end_walls": int(not along)}
@@ -56,7 +56,7 @@ def resolve(values):
     if now("fill_height") == "tube_height":
         found["fill_height"] = values["tube_height"]
     if "fill_height" in values and now("fill_height") > values["tube_height"]:
-        raise CaseError(f"fill_height = {now('fill_height')} m: at most tube_height = {values['tube_height']} m is wanted")
+        raise CaseError(f"fill_height = {now('fill_height')} m: must be at most tube_height = {values['tube_height']} m")
     if "forces" in values:
         named = values["forces"]
         if named == "auto":

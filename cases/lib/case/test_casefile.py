@@ -55,7 +55,7 @@ class LikeTest(InFolder):
                 ({"like": "bse"}, "like: unknown case 'bse'; did you mean 'base'?"),
                 ({"like": "bad"}, "cannot be like itself"),
                 ({"like": "base", "set": {"widht": 1}}, "set: unknown key 'widht'; did you mean 'width'?"),
-                ({"like": "base", "set": {"width": -1}}, "width = -1: a finite number above 0"),
+                ({"like": "base", "set": {"width": -1}}, "width = -1: must be a finite number above 0"),
                 ({"like": "base", "sett": {}}, "unknown entry 'sett'; did you mean 'set'?"),
                 ({"like": "base", "parameters": {"x": {"is": "x"}}}, "x: the entry 'value' is missing"),
                 ({"parameters": {}}, "'end' is missing")):
@@ -78,8 +78,22 @@ class LikeTest(InFolder):
         case.set("height", "width")
         self.assertEqual(case.values["height"], "width")
         for wrong in ("depth", "-1", "nan"):
-            with self.assertRaisesRegex(CaseError, f"height = {wrong}: a .*number.*or width"):
+            with self.assertRaisesRegex(CaseError, f"height = {wrong}: must be a .*number.*or width"):
                 case.set("height", wrong)
+
+    def test_limits_are_said(self):
+        self.base()
+        self.write("one", title="one", like="base", parameters={
+            "most": {"value": 2, "is": "a count", "min": 1, "max": 5, "whole": True},
+            "share": {"value": 0.5, "is": "a share", "above": 0, "below": 1}})
+        case = Case("one")
+        for key, wrong, says in (("most", "6", "most = 6: must be a whole number from 1 to 5 (a count)"),
+                                 ("most", "1.5", "most = 1.5: must be a whole number from 1 to 5 (a count)"),
+                                 ("share", "1", "share = 1: must be a finite number above 0 and below 1 (a share)"),
+                                 ("seed", "0", "seed = 0: must be a whole number of at least 1 (a number)")):
+            with self.assertRaises(CaseError) as refused:
+                case.set(key, wrong)
+            self.assertEqual(str(refused.exception), says)
 
 
 class ColumnTest(unittest.TestCase):
@@ -127,7 +141,7 @@ class ColumnTest(unittest.TestCase):
         self.assertAlmostEqual(v["body_mass"] / (2600 * suspension.particle_volume(v)), 1, delta=1e-12)
 
     def test_no_room(self):
-        with self.assertRaisesRegex(CaseError, "fill_height = 0.2 m: at most tube_height = 0.15 m"):
+        with self.assertRaisesRegex(CaseError, "fill_height = 0.2 m: must be at most tube_height = 0.15 m"):
             self.resolved("clump-half", fill_height=0.2)
 
 

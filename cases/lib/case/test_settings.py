@@ -21,7 +21,7 @@ class SettingsTest(unittest.TestCase):
     def test_reading(self):
         self.assertEqual(settings.read(["a=1", "b = 2", "a=3"]), {"a": "3", "b": "2"})
         for wrong in ("a", "=1"):
-            with self.assertRaisesRegex(CaseError, f"--set {wrong}: KEY=VALUE is wanted"):
+            with self.assertRaisesRegex(CaseError, f"--set {wrong}: must have the form KEY=VALUE"):
                 settings.read([wrong])
 
     def test_what_follows(self):
@@ -71,7 +71,7 @@ class SettingsTest(unittest.TestCase):
         case, changes, _ = applied("clump-half", "accuracy=balanced")
         self.assertEqual({**case.values, "accuracy": "balanced"}, Case("clump-half").values)
         self.assertEqual(changes, {"accuracy": "balanced"})
-        with self.assertRaisesRegex(CaseError, "accuracy = quick: one of fast, balanced, reference is wanted"):
+        with self.assertRaisesRegex(CaseError, "accuracy = quick: must be one of fast, balanced, reference"):
             applied("clump-half", "accuracy=quick")
 
     def test_folder(self):

@@ -111,9 +111,9 @@ def main():
     numbers = chosen(options.numbers)
     options.out = os.path.abspath(options.out or os.path.join(TOP, "results", "figures"))
     if options.jobs is not None and options.jobs < 1:
-        raise CaseError(f"--jobs {options.jobs}: at least one is wanted")
+        raise CaseError(f"--jobs {options.jobs}: must be at least 1")
     if options.long and options.quick:
-        raise CaseError("--long, --quick: one of them is wanted")
+        raise CaseError("--long, --quick: use one of them")
     from cases.lib.figures import labcurve
     if options.data and 11 not in numbers:
         raise CaseError("--data: is for figure 11, which is not among those asked for")

@@ -36,7 +36,7 @@ def read(words):
             sample = next((s for s in SAMPLES if s in name or s.replace("-", "") in name), "")
         sample = sample.strip().lower()
         if sample not in SAMPLES:
-            raise CaseError(f"--data {word}: which sample? SAMPLE=FILE is wanted, SAMPLE one of {', '.join(SAMPLES)}")
+            raise CaseError(f"--data {word}: which sample? Use SAMPLE=FILE, SAMPLE one of {', '.join(SAMPLES)}")
         if sample in found:
             raise CaseError(f"--data {word}: a second curve for {sample}")
         if not os.path.isfile(path):

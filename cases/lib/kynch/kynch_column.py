@@ -20,7 +20,7 @@ def refuse(name, values):
         raise CaseError(f"case {name}: its particles are not free equal spheres, for which alone Kynch's theory "
                         "with the drag law's flux stands; take sphere-half or a case like it")
     if values.get("charge", 0):
-        raise CaseError(f"case {name}: charge = {values['charge']} C: Kynch's theory knows no charges, 0 is wanted")
+        raise CaseError(f"case {name}: charge = {values['charge']} C: must be 0 for Kynch's theory, which has no charges")
     if values["drag"] not in drag.LAWS:
         raise CaseError(f"case {name}: drag = {values['drag']}: of this law the theory has no formula; known are "
                         + ", ".join(sorted(drag.LAWS)))
@@ -38,12 +38,12 @@ class Column:
     def __init__(self, values, phi_m, count=4000):
         self.phi_0, self.height, self.phi_m = values["solid_fraction"], values["fill_height"], phi_m
         if not self.phi_0 < phi_m < 1:
-            raise CaseError(f"solid_fraction = {self.phi_0:.4g}: below that of the bed, {phi_m:.4g}, is wanted")
+            raise CaseError(f"solid_fraction = {self.phi_0:.4g}: must be below that of the bed, {phi_m:.4g}")
         self.d = 2 * values["sphere_radius"]
         nu = values["viscosity"] / values["fluid_density"]
         if not values["density"] > values["fluid_density"]:
-            raise CaseError(f"density = {values['density']} kg/m3: above fluid_density = {values['fluid_density']} "
-                            "kg/m3 is wanted for spheres to settle")
+            raise CaseError(f"density = {values['density']} kg/m3: must be above fluid_density = {values['fluid_density']} "
+                            "kg/m3 for spheres to settle")
         try:
             self._solve(values, nu, phi_m, count)
         except ValueError as e:  # what theory asks of its arguments

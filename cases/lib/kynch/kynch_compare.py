@@ -90,7 +90,7 @@ def fractions(words):
         except ValueError:
             good = False
         if not good:
-            raise CaseError(f"--phi0 {words}: numbers between 0 and 1 are wanted")
+            raise CaseError(f"--phi0 {words}: must be numbers between 0 and 1")
     return found
 
 
@@ -116,7 +116,7 @@ class Comparison:
             other = [k for k, v in first.values.items() if k not in ("seed", "dem", "cfd") and r.values.get(k) != v]
             if r.case != first.case or other:
                 raise CaseError(f"{r.folder}: {other[0] if other else 'case'} is not that of {first.folder}; "
-                                "runs that differ by their seeds alone are wanted")
+                                "runs must differ by their seeds alone")
         self.phi_m = phi_m or statistics([r.packed for r in records])[0]
         self.values = first.values
         self.column = kynch_column.Column(first.values, self.phi_m)
@@ -227,12 +227,12 @@ def make(args):
     """The runs of every solid fraction; a list of lists of folders."""
     from cases.lib.kynch import kynch_column
     if args.seeds < 1:
-        raise CaseError(f"--seeds {args.seeds}: at least 1 is wanted")
+        raise CaseError(f"--seeds {args.seeds}: must be at least 1")
     wanted = []
     for phi_0 in fractions(args.phi0):
         case, changes = changed(args.name, args.set, phi_0)
         if "seed" in changes:
-            raise CaseError("--set seed: cases/kynch takes the seeds 1 to N; --seeds N is wanted")
+            raise CaseError("--set seed: cases/kynch takes the seeds 1 to N; use --seeds N")
         values = values_of(case)
         kynch_column.refuse(args.name, values)
         changes.setdefault("end", kynch_column.enough(values))
@@ -253,9 +253,9 @@ def make(args):
 def main():
     args = parser().parse_args()
     if args.jobs is not None and not 1 <= args.jobs <= launch.cores():
-        raise CaseError(f"--jobs {args.jobs}: 1 to {launch.cores()}, the number of cores, is wanted")
+        raise CaseError(f"--jobs {args.jobs}: must be from 1 to {launch.cores()}, the number of cores")
     if args.phi_m is not None and not 0 < args.phi_m < 1:
-        raise CaseError(f"--phi-m {args.phi_m:g}: a solid fraction between 0 and 1 is wanted")
+        raise CaseError(f"--phi-m {args.phi_m:g}: must be a solid fraction between 0 and 1")
     if args.height is not None and not args.solve:
         raise CaseError("--height: goes with --solve; runs take --set tube_height=...")
     if args.solve and args.runs:

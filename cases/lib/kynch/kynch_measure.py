@@ -43,12 +43,12 @@ class Record:
             self.case, self.values = summary["case"], summary["settings"]
             missing = [k for k in _NEEDED if k not in self.values]
         except OSError:
-            raise CaseError(f"{folder}: holds no summary.json; a finished run of cases/run is wanted") from None
+            raise CaseError(f"{folder}: holds no summary.json; name the folder of a finished run of cases/run") from None
         except (ValueError, KeyError, TypeError):
-            raise CaseError(f"{folder}/summary.json: is none of cases/run") from None
+            raise CaseError(f"{folder}/summary.json: was not written by cases/run") from None
         if missing:
             raise CaseError(f"{folder}/summary.json: has no setting {missing[0]}; "
-                            "a run of a column of spheres is wanted")
+                            "name a run of a column of spheres")
         rows = runs.curve(folder)
         if "mean_height_m" not in rows:
             raise CaseError(f"{folder}/settling.csv: has no column mean_height_m")

@@ -138,7 +138,7 @@ def _read(path, shape, count):
     with open(path, encoding="utf-8") as f:
         rows = [line.split()[1:4] for line in f.readlines()[2:] if line.strip()]
     if len(rows) != n * count:
-        raise CaseError(f"packing = packmol: packmol.xyz has {len(rows)} atoms; {n * count} are wanted")
+        raise CaseError(f"packing = packmol: packmol.xyz has {len(rows)} atoms and must have {n * count}")
     points = np.array(rows, dtype=float).reshape(count, n, 3)
     x = points.mean(axis=1)
     q = np.tile([1.0, 0, 0, 0], (count, 1))

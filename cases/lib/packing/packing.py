@@ -29,7 +29,7 @@ def write(folder, v):
     """Packs the particles of the case and gives the report. The values v hold
     numbers in place of words. A packing that was made before is taken again."""
     if v["packing"] not in METHODS:
-        raise CaseError(f"packing = {v['packing']}: one of {', '.join(METHODS)} is wanted")
+        raise CaseError(f"packing = {v['packing']}: must be one of {', '.join(METHODS)}")
     _clear(folder)
     store = os.path.join(TOP, "build", "packings", _key(v))
     kept = os.path.isfile(os.path.join(store, "packing.json"))
@@ -102,7 +102,7 @@ def _make(folder, v):
     shape, kinds = shape_of(v), kinds_of(v)
     what = "clumps" if "clumps" in v else "spheres"
     if not kinds:
-        raise CaseError(f"{what} = {v[what]}: at least one is wanted")
+        raise CaseError(f"{what} = {v[what]}: must be at least 1")
     if "tube_radius" not in v:
         _make_in_box(folder, v, kinds)
         return
@@ -132,7 +132,7 @@ def _make(folder, v):
 def _make_in_box(folder, v, kinds):
     """Spheres in a case like box."""
     if v["packing"] != "expansion" or "clumps" in v:
-        raise CaseError(f"packing = {v['packing']}: in a box spheres by expansion are wanted")
+        raise CaseError(f"packing = {v['packing']}: must be expansion, of spheres, in a box")
     size = [v["size_x"], v["size_y"], v["size_z"]]
     solid_fraction = len(kinds) * particle_volume(v) / math.prod(size)
     began = time.monotonic()

@@ -302,9 +302,9 @@ class CommandTest(unittest.TestCase):
                 pack_main._clear(out)
 
     def test_wrong_words(self):
-        for words, says in ((["clump-half", "--set", "packing=tight"], "packing = tight: one of"),
+        for words, says in ((["clump-half", "--set", "packing=tight"], "packing = tight: must be one of"),
                             (["clump-halve"], "did you mean 'clump-half'?"),
-                            (["clump-half", "--set", "seed"], "--set seed: KEY=VALUE is wanted"),
+                            (["clump-half", "--set", "seed"], "--set seed: must have the form KEY=VALUE"),
                             (["clump-half", "--out", os.path.join(TOP, "cases")], "holds other things than a packing")):
             run = subprocess.run([os.path.join(TOP, "cases", "pack"), "--no-setup", *words],
                                  capture_output=True, text=True, timeout=60)

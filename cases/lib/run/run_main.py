@@ -48,7 +48,7 @@ def main():
         return 0
     for option, ranks in (("--dem", args.dem), ("--cfd", args.cfd)):
         if ranks < 1:
-            raise CaseError(f"{option} {ranks}: at least one rank is wanted")
+            raise CaseError(f"{option} {ranks}: must be at least 1")
 
     from cases.lib.run import launch, prepare  # which need more than Python's own modules
     derived = case.derive(args.dem, args.cfd)

@@ -76,7 +76,7 @@ def curve(folder):
     except (ValueError, IndexError):  # rows of other lengths; an empty file
         good = False
     if not good:
-        raise CaseError(f"{path}: is no settling curve of a run")
+        raise CaseError(f"{path}: is not the settling curve of a run")
     return {k: np.atleast_1d(rows[k]) for k in rows.dtype.names}
 
 

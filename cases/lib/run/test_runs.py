@@ -214,7 +214,7 @@ class RunsTest(unittest.TestCase):
     def test_bad_input(self):
         for name, changes, words in (("clump-hal", {}, "did you mean 'clump-half'"),
                                      ("clump-half", {"charg": 1}, "did you mean 'charge'"),
-                                     ("clump-half", {"charge": "much"}, "a number is wanted")):
+                                     ("clump-half", {"charge": "much"}, "must be a number")):
             with self.assertRaisesRegex(CaseError, words):
                 self.store().run(name, changes)
         self.assertEqual(self.started(), 0)

@@ -43,7 +43,7 @@ def grid(words):
         key, values = settings.split(s, form="KEY=A,B,C")
         values = [v.strip() for v in values.split(",")]
         if not all(values):
-            raise CaseError(f"--set {s}: KEY=A,B,C is wanted")
+            raise CaseError(f"--set {s}: must have the form KEY=A,B,C")
         if len(set(values)) < len(values):
             raise CaseError(f"--set {s}: a value is there twice")
         found[key] = values
@@ -61,12 +61,12 @@ def points(name, words, seeds=None):
         if "seed" in values:
             raise CaseError("--seeds: the key seed is set, too; take one of them")
         if seeds < 1:
-            raise CaseError(f"--seeds {seeds}: at least 1 is wanted")
+            raise CaseError(f"--seeds {seeds}: must be at least 1")
         values["seed"] = [str(s) for s in range(1, seeds + 1)]
     varied = [k for k, v in values.items() if len(v) > 1 and k != "seed"]
     count = math.prod(len(v) for v in values.values())
     if count > _MOST_RUNS:
-        raise CaseError(f"--set: {count} runs, at most {_MOST_RUNS} are wanted")
+        raise CaseError(f"--set: {count} runs; must be at most {_MOST_RUNS}")
     case, made, extra = Case(name), [], {}
     for combination in itertools.product(*values.values()):
         one = dict(zip(values, combination))
@@ -136,7 +136,7 @@ def main():
     args = parser().parse_args()
     words = args.set + ([f"end={args.end}"] if args.end is not None else [])
     if args.jobs is not None and not 1 <= args.jobs <= launch.cores():
-        raise CaseError(f"--jobs {args.jobs}: 1 to {launch.cores()}, the number of cores, is wanted")
+        raise CaseError(f"--jobs {args.jobs}: must be from 1 to {launch.cores()}, the number of cores")
     made, varied, extra = points(args.name, words, args.seeds)
     if extra:
         print(settings.said(extra))

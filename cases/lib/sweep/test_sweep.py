@@ -152,11 +152,11 @@ class SweepTest(unittest.TestCase):
 
     @pytest.mark.long
     def test_bad_input(self):
-        for words, said in ((("--set", "charge"), "KEY=A,B,C is wanted"),
-                            (("--set", "charge=1e-10,"), "KEY=A,B,C is wanted"),
+        for words, said in ((("--set", "charge"), "must have the form KEY=A,B,C"),
+                            (("--set", "charge=1e-10,"), "must have the form KEY=A,B,C"),
                             (("--set", "charge=1e-10,1e-10"), "there twice"),
                             (("--set", "charg=1e-10"), "did you mean 'charge'"),
-                            (("--set", "charge=1e-10,much"), "a number is wanted"),
+                            (("--set", "charge=1e-10,much"), "must be a number"),
                             (("--set", "seed=1,2", "--seeds", "2"), "take one of them"),
                             (("--set", "solids=5,7", "--set", "clumps=9"), "solids = 5 decides nothing"),
                             (("--set", "seed=2147483648"), "at most 2147483647"),

@@ -40,5 +40,5 @@ def ratios(times, baselines):
     """Of runs made in turn with a baseline: each over the mean of the baseline's
     runs before and after it. baselines holds one more than times."""
     if len(baselines) != len(times) + 1:
-        raise ValueError("a baseline's run before and after each is wanted")
+        raise ValueError("each run must have a baseline's before and after it")
     return [2 * t / (a + b) for t, a, b in zip(times, baselines, baselines[1:])]

@@ -185,9 +185,9 @@ def write(name, rows, columns, target):
 def check(args):
     for option, value, least in (("--repeats", args.repeats, 1), ("--seeds", args.seeds, 2)):
         if value is not None and value < least:
-            raise CaseError(f"{option} {value}: at least {least} is wanted")
+            raise CaseError(f"{option} {value}: must be at least {least}")
     if args.window is not None and not args.window > 0:
-        raise CaseError(f"--window {args.window}: above 0 is wanted")
+        raise CaseError(f"--window {args.window}: must be above 0")
     for key in args.setting or ():
         known = {p[0] for c in bench_plan.CASES for p in bench_plan.settings(casefile.Case(c).values)}
         if key not in known:

@@ -72,7 +72,8 @@ def line(row):
     said = f"{row['verdict']:<5}{row['case']:<21}{row['quantity']:<60}"
     value, reference = short(row["value"]), short(row["reference"])
     if row["verdict"] != "pass":
-        return f"{said}\n     found {value}; wanted {row['gate']} {reference}".rstrip()
+        against = f", reference {reference}" if reference else ""
+        return f"{said}\n     found {value}; gate {row['gate']}{against}".rstrip()
     return f"{said} {value[:14]:<14} {reference[:14]:<14} {short(row['error']):<11}{short(row['gate'])}".rstrip()
 
 

@@ -166,7 +166,7 @@ def main():
     flat = flatness(rows, cache_size())
     if flat is not None:
         print(f"a particle-step past the cache ({cache_size() >> 20} MB) is flat within {100 * flat:.0f} % "
-              f"(wanted {100 * HELD_WITHIN:.0f} %)")
+              f"(must be within {100 * HELD_WITHIN:.0f} %)")
     print(f"picture: {os.path.relpath(draw(rows))}")
     return 0
 

@@ -40,7 +40,7 @@ def exceeded(measures, scene):
             ("void fraction volume error", measures["volume_error"], VOLUME),
             ("particle speed [m/s]", measures["fastest"], SPEED * scale), ("fluid speed [m/s]", measures["fluid"], FLUID_SPEED * scale)):
         if not math.isfinite(value):
-            found.append(f"{name} is no number")
+            found.append(f"{name} is NaN or infinite")
         elif value > most:
             found.append(f"{name} {value:.3g} is above {most:.3g}")
     low, high = measures["void_fraction"]

@@ -163,9 +163,9 @@ def main():
     args = parser().parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     if args.runs is not None and args.runs < 1:
-        raise CaseError(f"--runs {args.runs}: at least one is wanted")
+        raise CaseError(f"--runs {args.runs}: must be at least 1")
     if args.jobs < 1:
-        raise CaseError(f"--jobs {args.jobs}: at least one is wanted")
+        raise CaseError(f"--jobs {args.jobs}: must be at least 1")
     out = os.path.abspath(args.out or os.path.join(coupled.TOP, "results", "stress"))
     os.makedirs(os.path.join(out, "runs"), exist_ok=True)
     points = stress_design.design(args.runs)

@@ -85,7 +85,7 @@ class Bounds(unittest.TestCase):
         for key, bad, says in (("overlap_over_d", 0.6, "overlap/d 0.6 is above 0.5"), ("courant", 9.0, "Courant"),
                                ("momentum", 1e-3, "momentum"), ("volume_error", 1e-3, "volume error"),
                                ("fastest", 99.0, "particle speed"), ("fluid", 99.0, "fluid speed"),
-                               ("fastest", math.nan, "is no number"), ("void_fraction", [-0.1, 1.0], "not within 0 and 1"),
+                               ("fastest", math.nan, "is NaN"), ("void_fraction", [-0.1, 1.0], "not within 0 and 1"),
                                ("void_fraction", [0.5, 1.1], "not within"), ("lost", 2, "2 spheres were lost")):
             found = stress_bounds.exceeded({**self.good, key: bad}, self.scene)
             self.assertEqual(len(found), 1, key)
@@ -107,7 +107,7 @@ class Ends(unittest.TestCase):
         self.assertEqual(self.judged(None, ""), "failed")
         self.assertEqual(self.judged(1, "ERROR: timestep 1 s is above 0.1 s"), "refused")
         for why in ("", "mpirun noticed that process rank 0 exited on signal 11", "U (nan nan 0)",
-                    "particle 3 is no number at step 7"):
+                    "particle 3 is NaN at step 7", "particle 3 came with no numbers"):
             self.assertEqual(self.judged(1, why), "failed", why)
 
     def test_the_cause_is_told_from_the_aftermath(self):

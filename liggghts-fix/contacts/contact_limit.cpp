@@ -81,15 +81,15 @@ double stableStep(double mass, const Matrix3d& inertia, const std::vector<BodyCo
   return all.step(mass, inertia);
 }
 
-void ContactSum::add(double arm2, const ContactCoefficients& c, bool fixed)
+void ContactBound::add(double mass, double leastInertia, double arm2, const ContactCoefficients& of, bool fixed)
 {
-  const double share = (fixed ? 1 : 2) * (1 / mass_ + arm2 / inertia_);
-  k_ += share * std::max(c.kn, c.kt);
-  c_ += share * std::max(c.cn, c.ct);
-  ++contacts_;
+  const double share = (fixed ? 1 : 2) * (1 / mass + arm2 / leastInertia);
+  k += share * std::max(of.kn, of.kt);
+  c += share * std::max(of.cn, of.ct);
+  ++contacts;
 }
 
-double ContactSum::step() const { return oscillatorStep(k_, c_); }
+double ContactBound::step() const { return oscillatorStep(k, c); }
 
 double effectiveModulus(double youngs1, double poisson1, double youngs2, double poisson2)
 {

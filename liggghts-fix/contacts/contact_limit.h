@@ -44,21 +44,16 @@ struct ContactMatrices {
   double step(double mass, const Eigen::Matrix3d& inertia) const;
 };
 
-/// A bound of the same, never above it, from sums that cost next to nothing
-/// while running: every contact as if at its worst direction.
-class ContactSum {
- public:
-  /// leastInertia [kg m2] is the body's smallest principal moment.
-  ContactSum(double mass, double leastInertia) : mass_(mass), inertia_(leastInertia) {}
-  /// arm2: square of the distance from the centre of mass to the contact [m2].
-  void add(double arm2, const ContactCoefficients& c, bool fixed);
+/// A bound of the same, never above it, from sums that cost next to nothing:
+/// every contact as if at its worst direction.
+struct ContactBound {
+  double k = 0, c = 0;  // sums per mass [1/s2], [1/s]
+  int contacts = 0;
+  /// leastInertia [kg m2] is the body's smallest principal moment, arm2 the square
+  /// of the distance from its centre of mass to the contact [m2].
+  void add(double mass, double leastInertia, double arm2, const ContactCoefficients& of, bool fixed);
   /// Step [s]; infinite without contacts.
   double step() const;
-  int contacts() const { return contacts_; }
-
- private:
-  double mass_, inertia_, k_ = 0, c_ = 0;
-  int contacts_ = 0;
 };
 
 /// k dt2/4 + c dt/2 = 1 solved for dt; k [1/s2] and c [1/s] are per mass.

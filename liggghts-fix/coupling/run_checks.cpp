@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "atom.h"
+#include "contacts/granular_script.h"
 #include "fix_multisphere.h"
 #include "fix_property_global.h"
 #include "clumps/fix_template_clay.h"
@@ -15,45 +16,25 @@
 #include "force.h"
 #include "lammps.h"
 #include "modify.h"
-#include "neigh_list.h"
 #include "coulomb/pair_coul_clump.h"
 #include "pair_gran.h"
-#include "primitive_wall.h"
-#include "vector_container.h"
 
 using namespace LAMMPS_NS;
 
 namespace {
 
-using Eigen::Map;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-PairGran *granular(LAMMPS *lmp)
-{
-  if (!lmp->force->pair) return nullptr;
-  Pair *pair = lmp->force->pair_match("gran", 1);
-  if (!pair) pair = lmp->force->pair_match("gran/lean", 1);
-  return dynamic_cast<PairGran *>(pair);
 }
 
-}
-
-std::vector<FixWallGran *> LAMMPS_NS::primitive_walls(LAMMPS *lmp)
-{
-  std::vector<FixWallGran *> walls;
-  for (int i = 0; i < lmp->modify->nfix; i++) {
-    FixWallGran *w = dynamic_cast<FixWallGran *>(lmp->modify->fix[i]);
-    if (w && !w->is_mesh_wall() && w->primitiveWall()) walls.push_back(w);
-  }
-  return walls;
-}
+/* ---------------------------------------------------------------------- */
 
 ContactModel::ContactModel(LAMMPS *lmp) : lmp_(lmp)
 {
-  PairGran *gran = granular(lmp);
+  PairGran *gran = granular_pair(lmp);
   stiffness_ = gran && gran->contact_match("normal", "hooke/stiffness");
   known_ = stiffness_ || (gran && gran->contact_match("normal", "hooke"));
 }
@@ -191,120 +172,4 @@ ChargedContact LAMMPS_NS::charged_contact(LAMMPS *lmp)
       worst = {clay::attractedOverlap(-coul->law().k * qq, k, d), impact, k, k * impact * impact / 0.01, j, i};
     }
   return worst;
-}
-
-/* ---------------------------------------------------------------------- */
-
-double LAMMPS_NS::present_step_limit(LAMMPS *lmp, int *contacts)
-{
-  const ContactModel model(lmp);
-  PairGran *gran = granular(lmp);
-  if (contacts) *contacts = 0;
-  if (!model.known() || !gran || !gran->list) return infinity;
-
-  Atom &atom = *lmp->atom;
-  FixMultisphere *ms = static_cast<FixMultisphere *>(lmp->modify->find_fix_style("multisphere", 0));
-
-  // of each body: centre of mass, mass, tensor of inertia in space axes; from its owner
-  const int nbody = ms ? ms->tag_max_body() + 1 : 0;
-  enum { CENTRE = 0, MASS = 3, LEAST = 4, INERTIA = 5, WIDTH = 14 };
-  std::vector<double> body(WIDTH * nbody, 0.0);
-  if (ms) {
-    const auto vectors = [ms](const char *name) {
-      return ms->data().prop().getElementProperty<VectorContainer<double,3> >(name)->begin();
-    };
-    double **moments = vectors("inertia"), **ex = vectors("ex_space"), **ey = vectors("ey_space"),
-           **ez = vectors("ez_space");
-    for (int b = 0; b < ms->n_body(); b++) {
-      double *kept = &body[WIDTH * ms->data().tag(b)];
-      ms->data().xcm(kept, b);
-      kept[MASS] = ms->data().mass(b);
-      kept[LEAST] = *std::min_element(moments[b], moments[b] + 3);
-      Matrix3d axes;
-      axes << Map<Vector3d>(ex[b]), Map<Vector3d>(ey[b]), Map<Vector3d>(ez[b]);
-      Map<Matrix3d>(kept + INERTIA) = axes * Map<Vector3d>(moments[b]).asDiagonal() * axes.transpose();
-    }
-  }
-  MPI_Allreduce(MPI_IN_PLACE, body.data(), body.size(), MPI_DOUBLE, MPI_SUM, lmp->world);
-
-  // sums of the contacts of each body, and at once of each free sphere
-  enum { K = 0, C = 1, COUNT = 2, SUMS = 3 };
-  std::vector<double> sums(SUMS * nbody, 0.0), free(SUMS * atom.nlocal, 0.0);
-  std::vector<clay::ContactMatrices> matrices(nbody);
-  const auto add = [&](int i, const double *at, const clay::ContactCoefficients &c, bool fixed) {
-    if (i >= atom.nlocal) return;
-    const int b = ms ? ms->belongs_to(i) : -1;
-    double arm2 = 0, m = atom.rmass[i], inertia = 0.4 * m * atom.radius[i] * atom.radius[i];
-    const double *centre = atom.x[i];
-    if (b >= 0) {
-      centre = &body[WIDTH * b];
-      m = body[WIDTH * b + MASS];
-      inertia = body[WIDTH * b + LEAST];
-    }
-    for (int d = 0; d < 3; d++) arm2 += (at[d] - centre[d]) * (at[d] - centre[d]);
-    const double share = (fixed ? 1 : 2) * (1 / m + arm2 / inertia);
-    double *s = b >= 0 ? &sums[SUMS * b] : &free[SUMS * i];
-    s[K] += share * std::max(c.kn, c.kt);
-    s[C] += share * std::max(c.cn, c.ct);
-    s[COUNT] += 1;
-    if (b < 0) return;
-    const Vector3d point = Map<const Vector3d>(at), normal = point - Map<const Vector3d>(atom.x[i]);
-    matrices[b].add({point - Map<const Vector3d>(centre), normal.normalized(), c, fixed});
-  };
-
-  const NeighList *list = gran->list;
-  for (int a = 0; a < list->inum; a++) {
-    const int i = list->ilist[a];
-    for (int n = 0; n < list->numneigh[i]; n++) {
-      const int j = list->firstneigh[i][n] & NEIGHMASK;
-      const double reach = atom.radius[i] + atom.radius[j];
-      double r2 = 0, at[3];
-      for (int d = 0; d < 3; d++) {
-        const double apart = atom.x[j][d] - atom.x[i][d];
-        r2 += apart * apart;
-        at[d] = atom.x[i][d] + apart * atom.radius[i] / reach;
-      }
-      if (r2 >= reach * reach) continue;
-      const auto c = model.between(atom.type[i], atom.type[j],
-                                   atom.rmass[i] * atom.rmass[j] / (atom.rmass[i] + atom.rmass[j]),
-                                   atom.radius[i] * atom.radius[j] / reach);
-      add(i, at, c, false);
-      add(j, at, c, false);
-    }
-  }
-  for (FixWallGran *w : primitive_walls(lmp))
-    for (int i = 0; i < atom.nlocal; i++) {
-      if (!(atom.mask[i] & w->groupbit)) continue;
-      double to_wall[3] = {0, 0, 0};
-      if (w->primitiveWall()->resolveContact(atom.x[i], atom.radius[i], to_wall) >= 0) continue;
-      double at[3];
-      for (int d = 0; d < 3; d++) at[d] = atom.x[i][d] + to_wall[d];
-      add(i, at, model.between(atom.type[i], w->atom_type_wall(), atom.rmass[i], atom.radius[i]), true);
-    }
-  MPI_Allreduce(MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM, lmp->world);
-  MPI_Allreduce(MPI_IN_PLACE, matrices.data(), matrices.size() * sizeof(clay::ContactMatrices) / sizeof(double),
-                MPI_DOUBLE, MPI_SUM, lmp->world);
-
-  // every processor knows all of the bodies, and its own free spheres
-  struct { double step; int contacts; } mine = { infinity, 0 }, least;
-  for (std::size_t s = 0; s < free.size(); s += SUMS) {
-    const double step = clay::oscillatorStep(free[s + K], free[s + C]);
-    if (step < mine.step) { mine.step = step; mine.contacts = static_cast<int>(free[s + COUNT]); }
-  }
-  // the cheap bounds first: once they are above the best, so are all that follow
-  std::vector<std::pair<double, int>> order;
-  for (int b = 0; b < nbody; b++)
-    if (sums[SUMS * b + COUNT] > 0)
-      order.emplace_back(clay::oscillatorStep(sums[SUMS * b + K], sums[SUMS * b + C]), b);
-  std::sort(order.begin(), order.end());
-  for (const auto &next : order) {
-    if (next.first >= mine.step) break;
-    const int b = next.second;
-    const double *kept = &body[WIDTH * b];
-    const double step = matrices[b].step(kept[MASS], Map<const Matrix3d>(kept + INERTIA));
-    if (step < mine.step) { mine.step = step; mine.contacts = static_cast<int>(sums[SUMS * b + COUNT]); }
-  }
-  MPI_Allreduce(&mine, &least, 1, MPI_DOUBLE_INT, MPI_MINLOC, lmp->world);
-  if (contacts) *contacts = least.contacts;
-  return least.step;
 }

@@ -1,17 +1,17 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 /// \file run_checks.h
 /// The largest stable DEM step of a LIGGGHTS run, from its contact model.
-#ifndef LMP_CONTACT_CHECK_H
-#define LMP_CONTACT_CHECK_H
+#ifndef LMP_RUN_CHECKS_H
+#define LMP_RUN_CHECKS_H
 
 #include <string>
 #include <vector>
 
 #include "contacts/contact_limit.h"
+#include "contacts/granular_script.h"
 
 namespace LAMMPS_NS {
 
-class FixWallGran;
 class LAMMPS;
 
 /// The granular pair style's normal model and its coefficients.
@@ -31,9 +31,6 @@ class ContactModel {
   LAMMPS *lmp_;
   bool known_, stiffness_;
 };
-
-/// The script's fixes wall/gran of primitive shape.
-std::vector<FixWallGran *> primitive_walls(LAMMPS *lmp);
 
 /// Group bits of the particles that some fix moves.
 int moving_groups(LAMMPS *lmp);
@@ -60,7 +57,8 @@ ChargedContact charged_contact(LAMMPS *lmp);
 
 /// Largest stable step [s] by the contacts there are now, and the number of
 /// contacts of the body it is due to. Bodies whose cheap bound is no hindrance
-/// are not looked at closer. On all processors.
+/// are not looked at closer. Each processor looks at its own bodies and spheres, and
+/// is sent what those of its bodies' spheres touch that others own. On all processors.
 double present_step_limit(LAMMPS *lmp, int *contacts = nullptr);
 
 }

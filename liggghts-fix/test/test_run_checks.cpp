@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 
+#include "allocations.h"
 #include "clumps/clump_geometry.h"
 #include "coupling/run_checks.h"
 #include "host.h"
@@ -111,6 +114,78 @@ TEST(RunChecks, limitsOfAPlateAtRest)
   EXPECT_NEAR(now, exact, 2e-3 * exact);
 }
 
+namespace {
+
+// illite clumps as a list has them
+std::string listed(const std::string &processors, const std::string &boundary, const std::string &list)
+{
+  int rank;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0) std::ofstream("run_checks.txt") << list;
+  MPI_Barrier(MPI_COMM_WORLD);
+  std::string start = test::opening(boundary, "-0.02 0.02 -0.02 0.02 -0.04 0.04");
+  start.replace(start.find("* * *"), 5, processors);
+  return start + stiff() +
+         "fix ill all particletemplate/clay illite seed 15485863 type 1 atom_types 1 2 radius 1e-3 density 2600\n"
+         "fix ms all multisphere\nfix put all insert/placed file run_checks.txt templates ill verbose no\n"
+         "timestep 1e-6\nrun 0\n";
+}
+
+}  // namespace
+
+// two plates face to face, seven contacts: in the middle of a processor, across the border of
+// two, through a periodic side
+TEST(RunChecks, sameLimitWhereverThePlatesAre)
+{
+  const auto limit = [](const std::string &boundary, double x, double z, int *contacts) {
+    Host host;
+    std::ostringstream list;
+    list.precision(17);
+    const double q1 = std::sqrt(1 - 0.99 * 0.99), axis[2] = {-2 * 0.99 * q1, 1 - 2 * q1 * q1};
+    for (double along : {-1.49e-3, 1.49e-3})
+      list << "ill " << x << ' ' << 0.001 + along * axis[0] << ' ' << z + along * axis[1] << " 0.99 " << q1 << " 0 0\n";
+    host(listed("1 1 *", boundary, list.str()));
+    return LAMMPS_NS::present_step_limit(host.lmp.get(), contacts);
+  };
+  int here = 0, contacts = 0;
+  const double usual = limit("f f f", 0.003, 0.02, &here);
+  EXPECT_EQ(here, 7);
+  EXPECT_LT(usual, 1e-4);
+  EXPECT_NEAR(limit("f f f", 0.003, 0.0003, &contacts), usual, 1e-9 * usual);  // the border is at 0
+  EXPECT_EQ(contacts, here);
+  EXPECT_NEAR(limit("p f f", 0.0195, 0.0003, &contacts), usual, 1e-9 * usual);
+  EXPECT_EQ(contacts, here);
+}
+
+// many bodies on one processor, two on the other: what that one keeps has nothing to do
+// with all of them
+TEST(RunChecksParallel, memoryGoesByOwnBodies)
+{
+  int ranks, rank;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  ASSERT_EQ(ranks, 2);
+  double most[2];
+  for (int k = 0; k < 2; k++) {
+    std::string list = "ill 0 0 0.0301 1 0 0 0\nill 0 0 0.03309 1 0 0 0\n";
+    const int layers = k ? 8 : 2;
+    for (int n = 0; n < 25 * layers; n++)
+      list += "ill " + std::to_string(-0.0124 + 0.0062 * (n % 5)) + ' ' + std::to_string(-0.0124 + 0.0062 * (n / 5 % 5)) + ' ' +
+              std::to_string(-0.037 + 0.00299 * (n / 25)) + " 1 0 0 0\n";
+    Host host;
+    host(listed("1 1 2", "f f f", list));
+    ASSERT_EQ(host.multisphere()->n_body(), rank ? 2 : 25 * layers);
+    const test::Allocations allocations;
+    int contacts;
+    LAMMPS_NS::present_step_limit(host.lmp.get(), &contacts);
+    EXPECT_GT(contacts, 2);
+    most[k] = allocations.most();
+  }
+  EXPECT_GT(most[0], 2 * 89 * 8);
+  if (rank) EXPECT_LT(most[1], 1.02 * most[0]);
+  else EXPECT_GT(most[1], 2 * most[0]);
+}
+
 TEST(RunChecks, theHostBlowsUpWhereTheLimitSays)
 {
   const auto clump = clay::illitePlate({1e-3, 2e-3, 1e-3, 2});
@@ -132,7 +207,7 @@ TEST(RunChecks, theHostBlowsUpWhereTheLimitSays)
   }
 }
 
-// of the spheres there are the lightest decides; the bound is the contact sum's
+// of the spheres there are the lightest decides; the limit is that of its contacts
 TEST(RunChecks, sphereAtRest)
 {
   Host host;
@@ -142,12 +217,13 @@ TEST(RunChecks, sphereAtRest)
   EXPECT_EQ(which, "a sphere of type 1");
   const double m = host.atoms()[0].rmass, r = 1e-3;
   const LAMMPS_NS::ContactModel model(host.lmp.get());
-  clay::ContactSum sum(m, 0.4 * m * r * r);
-  sum.add(r * r, model.between(1, 1, m, r), true);
-  sum.add(r * r, model.between(1, 1, m, r), true);
-  sum.add(r * r, model.between(1, 1, m / 2, r / 2), false);
-  EXPECT_GE(limit, sum.step());
-  EXPECT_LT(limit, 2 * sum.step());
+  // what holds it below and aside are walls; above, another sphere: contacts on two opposite
+  // sides and one across, of which those with a wall count once
+  const auto wall = model.between(1, 1, m, r), other = model.between(1, 1, m / 2, r / 2);
+  const std::vector<clay::BodyContact> around = {{{0, 0, -r}, {0, 0, -1}, wall, true},
+                                                 {{r, 0, 0}, {1, 0, 0}, wall, true},
+                                                 {{0, 0, r}, {0, 0, 1}, other, false}};
+  EXPECT_NEAR(limit, clay::stableStep(m, 0.4 * m * r * r * Eigen::Matrix3d::Identity(), around), 1e-9 * limit);
 
   host("set type 2 diameter 1e-3\nset type 2 density 2600\nrun 0\n");
   EXPECT_LT(LAMMPS_NS::resting_step_limit(host.lmp.get(), &which), 0.7 * limit);

@@ -4,11 +4,11 @@
 
 #include "placing/fix_insert_placed.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "atom.h"
@@ -23,6 +23,12 @@
 #include "update.h"
 
 using namespace LAMMPS_NS;
+
+namespace {
+
+const std::size_t PART = 1 << 16;  // bytes of the list, and a line, that are read at a time
+
+}
 
 /* ---------------------------------------------------------------------- */
 
@@ -83,37 +89,40 @@ void FixInsertPlaced::fail(const std::string &why)
 
 void FixInsertPlaced::post_create()
 {
-  if (modify->have_restart_data(this)) return;
-  std::vector<clay::Place> places;
-  try {
-    places = clay::readPlaces(read_file(), file_, kinds_);
-  } catch (const std::runtime_error &e) {
-    fail(e.what());
-  }
-  place(places);
+  if (!modify->have_restart_data(this)) place();
 }
 
 /* ----------------------------------------------------------------------
-   processor 0 reads, all know
+   processor 0 reads whole lines, a part of the file at a time, that all get:
+   none holds more of the list. Empty at its end.
 ------------------------------------------------------------------------- */
 
-std::string FixInsertPlaced::read_file()
+std::string FixInsertPlaced::next_lines(std::ifstream &in)
 {
   std::string text;
   int size = -1;
   if (comm->me == 0) {
-    std::ifstream in(file_);
-    std::ostringstream all;
-    if (in && (in.peek() == EOF || all << in.rdbuf())) {
-      text = all.str();
-      size = static_cast<int>(text.size());
-    }
+    for (std::string line; text.size() < PART && std::getline(in,line);) text += line + '\n';
+    // a folder can be opened, but not be read
+    if (in.is_open() && !in.bad()) size = static_cast<int>(text.size());
   }
   MPI_Bcast(&size, 1, MPI_INT, 0, world);
   if (size < 0) fail("cannot read file " + file_);
   text.resize(size);
   MPI_Bcast(&text[0], size, MPI_CHAR, 0, world);
   return text;
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::vector<clay::Place> FixInsertPlaced::parse(const std::string &text, int first)
+{
+  try {
+    return clay::readPlaces(text, file_, kinds_, first);
+  } catch (const std::runtime_error &e) {
+    fail(e.what());
+  }
+  return {};
 }
 
 /* ----------------------------------------------------------------------
@@ -152,11 +161,11 @@ void FixInsertPlaced::set_arrays_of_new_fixes()
 }
 
 /* ----------------------------------------------------------------------
-   every processor walks through the whole list, so that all agree on tags,
+   every processor walks through the whole list, part by part, so that all agree on tags,
    and creates the particles whose centre lies in its part of the box
 ------------------------------------------------------------------------- */
 
-void FixInsertPlaced::place(const std::vector<clay::Place> &places)
+void FixInsertPlaced::place()
 {
   FixMultisphere *bodies = static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0));
   for (const auto &k : kinds_)
@@ -181,44 +190,53 @@ void FixInsertPlaced::place(const std::vector<clay::Place> &places)
   }
 
   double none[3] = {0.0, 0.0, 0.0};
-  int mine = 0, all = 0;
-  for (const clay::Place &p : places) {
-    FixTemplateSphere *t = templates_[p.kind];
-    const bool clump = kinds_[p.kind].clump;
-    t->randomize_single();
-    ParticleToInsert *particle = t->pti;
-    particle->groupbit |= groupbit;
-    if (p.radius > 0.0) {
-      particle->radius_ins[0] = particle->r_bound_ins = p.radius;
-      particle->volume_ins = 4.0/3.0*M_PI*p.radius*p.radius*p.radius;
-      particle->mass_ins = particle->density_ins*particle->volume_ins;
-    }
-    double x[3] = {p.x[0], p.x[1], p.x[2]}, q[4] = {p.q[0], p.q[1], p.q[2], p.q[3]};
-    domain->remap(x);
-    particle->set_x_v_omega(x, none, none, q);
-    check_box(p, particle);
-    mass_ += particle->mass_ins;
-    if (clump) body++;
-
-    bool here = true;
-    for (int d = 0; d < 3; d++) here = here && x[d] >= domain->sublo[d] && x[d] < domain->subhi[d];
-    if (here) {
-      mine++;
-      const int n = particle->insert(), from = atom->nlocal - n;
-      for (int s = 0; s < n; s++) atom->tag[from+s] = tag + s;
-      if (clump) {
-        const ParticleToInsertMultisphere *c = static_cast<ParticleToInsertMultisphere *>(particle);
-        for (int s = 0; s < n; s++)
-          bodies->set_body_displace(from+s, c->displace[s], body, c->volumeweight[s]);
-        body_tags->set(bodies->n_body() - 1, body);
+  bigint listed = 0, mine = 0, all = 0;
+  int line = 1;
+  std::ifstream in;
+  if (comm->me == 0) in.open(file_);
+  for (std::string text = next_lines(in); !text.empty(); text = next_lines(in)) {
+    const std::vector<clay::Place> places = parse(text, line);
+    listed += places.size();
+    line += static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+    for (const clay::Place &p : places) {
+      FixTemplateSphere *t = templates_[p.kind];
+      const bool clump = kinds_[p.kind].clump;
+      t->randomize_single();
+      ParticleToInsert *particle = t->pti;
+      particle->groupbit |= groupbit;
+      if (p.radius > 0.0) {
+        particle->radius_ins[0] = particle->r_bound_ins = p.radius;
+        particle->volume_ins = 4.0/3.0*M_PI*p.radius*p.radius*p.radius;
+        particle->mass_ins = particle->density_ins*particle->volume_ins;
       }
-    }
-    tag += particle->nparticles;
-  }
+      double x[3] = {p.x[0], p.x[1], p.x[2]}, q[4] = {p.q[0], p.q[1], p.q[2], p.q[3]};
+      domain->remap(x);
+      particle->set_x_v_omega(x, none, none, q);
+      check_box(p, particle);
+      mass_ += particle->mass_ins;
+      if (clump) body++;
 
-  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
-  if (all != static_cast<int>(places.size()))
-    fail("only " + std::to_string(all) + " of the " + std::to_string(places.size()) +
+      bool here = true;
+      for (int d = 0; d < 3; d++) here = here && x[d] >= domain->sublo[d] && x[d] < domain->subhi[d];
+      if (here) {
+        mine++;
+        const int n = particle->insert(), from = atom->nlocal - n;
+        for (int s = 0; s < n; s++) atom->tag[from+s] = tag + s;
+        if (clump) {
+          const ParticleToInsertMultisphere *c = static_cast<ParticleToInsertMultisphere *>(particle);
+          for (int s = 0; s < n; s++)
+            bodies->set_body_displace(from+s, c->displace[s], body, c->volumeweight[s]);
+          body_tags->set(bodies->n_body() - 1, body);
+        }
+      }
+      tag += particle->nparticles;
+    }
+  }
+  if (listed == 0) fail("file " + file_ + ": names no particle");
+
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all != listed)
+    fail("only " + std::to_string(all) + " of the " + std::to_string(listed) +
          " particles of file " + file_ + " were placed");
   placed_ += all;
 
@@ -239,7 +257,7 @@ void FixInsertPlaced::place(const std::vector<clay::Place> &places)
   FILE *streams[2] = { screen, logfile };
   for (FILE *out : streams)
     if (out)
-      fprintf(out, "Fix %s insert/placed: %d particles of %d spheres and %.9g kg from file %s\n", id, all,
+      fprintf(out, "Fix %s insert/placed: " BIGINT_FORMAT " particles of %d spheres and %.9g kg from file %s\n", id, all,
               tag - first, mass_, file_.c_str());
 }
 

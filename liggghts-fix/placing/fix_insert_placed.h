@@ -15,6 +15,7 @@ FixStyle(insert/placed,FixInsertPlaced)
 #ifndef LMP_FIX_INSERT_PLACED_H
 #define LMP_FIX_INSERT_PLACED_H
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -37,10 +38,11 @@ class FixInsertPlaced : public Fix {
 
  private:
   void fail(const std::string &why);
-  std::string read_file();
+  std::string next_lines(std::ifstream &);
+  std::vector<clay::Place> parse(const std::string &text, int first);
   void check_box(const clay::Place &, class ParticleToInsert *);
   void set_arrays_of_new_fixes();
-  void place(const std::vector<clay::Place> &);
+  void place();
 
   std::string file_;
   std::vector<class FixTemplateSphere *> templates_;

@@ -54,11 +54,11 @@ int kindOf(const Line& line, const std::vector<PlaceKind>& kinds)
 }  // namespace
 
 std::vector<Place> readPlaces(const std::string& text, const std::string& file,
-                              const std::vector<PlaceKind>& kinds)
+                              const std::vector<PlaceKind>& kinds, int first)
 {
   std::vector<Place> places;
   std::istringstream in(text);
-  int number = 0;
+  int number = first - 1;
   for (std::string row; std::getline(in, row);) {
     const Line line(row, file, ++number);
     const std::size_t n = line.words().size();
@@ -91,7 +91,6 @@ std::vector<Place> readPlaces(const std::string& text, const std::string& file,
     }
     places.push_back(p);
   }
-  if (places.empty()) throw std::runtime_error("file " + file + ": names no particle");
   return places;
 }
 

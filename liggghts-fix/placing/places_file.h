@@ -23,9 +23,10 @@ struct Place {
   int line = 0;                 ///< where it stands in the file
 };
 
-/// Reads the text of such a file; throws std::runtime_error with one line that
-/// names the file and the line when something is wrong.
+/// Reads whole lines of such a file, of which the first has number `first`; throws
+/// std::runtime_error with one line that names the file and the line when something
+/// is wrong.
 std::vector<Place> readPlaces(const std::string& text, const std::string& file,
-                              const std::vector<PlaceKind>& kinds);
+                              const std::vector<PlaceKind>& kinds, int first = 1);
 
 }  // namespace clay

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
 
 #include "placing/places_file.h"
 
@@ -40,6 +41,21 @@ TEST(PlacesFile, particlesInTheirOrder)
   EXPECT_DOUBLE_EQ(p[3].radius, 0.25);
 }
 
+TEST(PlacesFile, partsOfAFileCountOn)
+{
+  EXPECT_TRUE(readPlaces("", "list", kinds).empty());
+  EXPECT_TRUE(readPlaces("# nothing\n\n", "list", kinds).empty());
+  const auto p = readPlaces("# still nothing\ngrain 4 5 6\n", "list", kinds, 1001);
+  ASSERT_EQ(p.size(), 1u);
+  EXPECT_EQ(p[0].line, 1002);
+  try {
+    readPlaces("grain 1 2\n", "list", kinds, 1003);
+    FAIL();
+  } catch (const std::runtime_error& e) {
+    EXPECT_EQ(std::string(e.what()), "file list, line 1003: 3 words; needed are 4 or 5: template x y z [radius]");
+  }
+}
+
 TEST(PlacesFile, quaternionsAreMadeUnit)
 {
   const auto p = readPlaces("ill 0 0 0 0.5 0.5 0.5 0.5000001", "list", kinds);
@@ -50,7 +66,6 @@ TEST(PlacesFile, quaternionsAreMadeUnit)
 
 TEST(PlacesFile, refusalsNameFileAndLine)
 {
-  EXPECT_EQ(refusal("# nothing\n"), "file list: names no particle");
   EXPECT_EQ(refusal("grain 1 2 3\nmica 0 0 0 1 0 0 0"),
             "file list, line 2: template 'mica' is not known; known are 1 = ill, 2 = kao, 3 = grain");
   EXPECT_EQ(refusal("4 0 0 0"),

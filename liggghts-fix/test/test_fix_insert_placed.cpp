@@ -7,6 +7,7 @@
 #include <fstream>
 #include <random>
 
+#include "allocations.h"
 #include "placing/fix_insert_placed.h"
 #include "host.h"
 #include "multisphere.h"
@@ -210,6 +211,37 @@ TEST(FixInsertPlaced, aRestartedRunHasItsParticlesAlready)
   ASSERT_EQ(host.atoms().size(), 2u);
   EXPECT_EQ(host.fix("put")->compute_vector(0), 2);
   EXPECT_NEAR(host.fix("put")->compute_vector(1), 2 * 2500 * 4.0 / 3 * M_PI * 1e-9, 1e-15);
+}
+
+// many in one half of the box, one in the other, which may be another processor's: what the
+// styles keep there, and pass through, has nothing to do with the length of the list
+TEST(FixInsertPlacedParallel, noProcessorHoldsTheList)
+{
+  int ranks, rank;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  ASSERT_EQ(ranks, 2);
+  double most[2];
+  const int n[2] = {16000, 64000};
+  for (int k = 0; k < 2; k++) {
+    std::ostringstream list;
+    for (int i = 0; i < n[k]; i++)
+      list << "grain " << 0.001 + 0.002 * (i % 40) << ' ' << 0.001 + 0.002 * (i / 40 % 40) << ' ' << 0.001 + 0.001 * (i / 1600) << '\n';
+    list << "grain 0.05 0.05 0.09\n";
+    spheres(list.str());
+    std::string start = test::opening("f f f", "0 0.1 0 0.1 0 0.1");
+    start.replace(start.find("* * *"), 5, "1 1 2");
+    Host host;
+    host(start + test::material("coul/clump 0.006") + "pair_coeff * * coul/clump 0.0\n"
+         "fix grain all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 1e-3\n");
+    const test::Allocations allocations;
+    host("fix put all insert/placed file placed.txt templates grain\n");
+    most[k] = allocations.most();
+    EXPECT_EQ(host.fix("put")->compute_vector(0), n[k] + 1);
+    EXPECT_EQ(host.lmp->atom->nlocal, rank ? 1 : n[k]);
+  }
+  EXPECT_GT(most[0], 6e4);  // a part of the list
+  EXPECT_LT(most[1], 1.02 * most[0]);
 }
 
 TEST(FixInsertPlaced, aThousandClumpsTakeMoments)

@@ -95,6 +95,14 @@ class RunsTest(unittest.TestCase):
             self.assertIn(name, found)
         self.assertNotIn("case.json", found)
 
+    def test_the_code_that_makes_a_run_is_in_the_key(self):
+        found = {}
+        runkey._modules("cases.lib.run.prepare", found)
+        self.assertTrue({"cases.lib.run.prepare", "cases.lib.case.meshes", "cases.lib.packing.packing",
+                         "cases.lib.packing.pack_shapes", "cases.lib.case.suspension"} <= set(found))
+        # what these make is in the key by its values; runs are reported by others
+        self.assertFalse({"cases.lib.case.casefile", "cases.lib.case.openfoam", "cases.lib.run.report"} & set(found))
+
     def test_a_failed_run_says_why_and_is_made_anew(self):
         with self.assertRaisesRegex(runs.RunFailed, "charge=3e-10 failed: ERROR: the spring is too stiff"):
             self.store(end="bad").run("clump-half", {"charge": 3e-10})

@@ -12,6 +12,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "contacts/granular_script.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_multisphere.h"
@@ -20,7 +21,7 @@
 #include "force.h"
 #include "modify.h"
 #include "neigh_list.h"
-#include "pair.h"
+#include "pair_gran.h"
 #include "primitive_wall.h"
 #include "update.h"
 
@@ -151,9 +152,7 @@ void FixSettlingCurve::find_column()
   if (!bottom_given_) bottom_ = domain->boxlo[2];
 
   double floor = domain->boxhi[2];
-  for (int i = 0; i < modify->n_fixes_style("wall/gran"); i++) {
-    FixWallGran *wall = dynamic_cast<FixWallGran *>(modify->find_fix_style("wall/gran", i));
-    if (!wall || wall->is_mesh_wall() || !wall->primitiveWall()) continue;
+  for (FixWallGran *wall : primitive_walls(lmp)) {
     PrimitiveWall *primitive = wall->primitiveWall();
     double to_wall[3] = {0.0, 0.0, 0.0}, from_axis[3];
     if (primitive->axis() == 2) {
@@ -242,7 +241,7 @@ double FixSettlingCurve::largest_overlap() const
 {
   double mine = 0.0, all = 0.0;
   double **x = atom->x;
-  Pair *gran = force->pair ? force->pair_match("gran", 1) : NULL;
+  const PairGran *gran = granular_pair(lmp);
   if (gran && gran->list) {
     const NeighList *list = gran->list;
     for (int a = 0; a < list->inum; a++) {
@@ -255,12 +254,10 @@ double FixSettlingCurve::largest_overlap() const
     }
   }
   double to_wall[3];
-  for (int k = 0; k < modify->n_fixes_style("wall/gran"); k++) {
-    FixWallGran *wall = dynamic_cast<FixWallGran *>(modify->find_fix_style("wall/gran", k));
-    if (!wall || wall->is_mesh_wall() || !wall->primitiveWall()) continue;
+  for (FixWallGran *wall : primitive_walls(lmp))
     for (int i = 0; i < atom->nlocal; i++)
-      mine = std::max(mine, -wall->primitiveWall()->resolveContact(x[i], atom->radius[i], to_wall));
-  }
+      if (atom->mask[i] & wall->groupbit)
+        mine = std::max(mine, -wall->primitiveWall()->resolveContact(x[i], atom->radius[i], to_wall));
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   return diameter_ > 0.0 ? all/diameter_ : 0.0;
 }

@@ -23,6 +23,14 @@
 
 namespace test {
 
+/// How many processors this program runs on.
+inline int processors()
+{
+  int n;
+  MPI_Comm_size(MPI_COMM_WORLD, &n);
+  return n;
+}
+
 struct Atom {
   int tag, type, body;
   double x[3], v[3], f[3], torque[3], radius, rmass, density, weight;

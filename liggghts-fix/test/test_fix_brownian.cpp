@@ -14,8 +14,9 @@ namespace {
 const double kB = 1.380649e-23, mu = 1e-3, a = 1e-6, T = 300;
 const double K = 6 * M_PI * mu * a, m = 2600 * 4.0 / 3 * M_PI * a * a * a;
 
-// side^3 spheres a long way apart, free to go through each other's images
-std::string cloud(int side, double dt)
+// side^3 spheres a long way apart, free to go through each other's images; put one by one they have
+// the same numbers on any number of processors
+std::string cloud(int side, double dt, bool one_by_one = false)
 {
   std::ostringstream s;
   s.precision(17);
@@ -25,7 +26,13 @@ std::string cloud(int side, double dt)
   text.replace(text.find("neighbor 0.0005"), 15, "neighbor 4e-6");
   std::ostringstream r;
   r.precision(17);
-  r << "lattice sc " << apart << "\ncreate_atoms 1 box\nset group all diameter " << 2 * a
+  if (one_by_one)
+    for (int n = 0; n < side * side * side; n++)
+      r << "create_atoms 1 single " << apart * (0.5 + n % side) << ' ' << apart * (0.5 + n / side % side) << ' '
+        << apart * (0.5 + n / side / side) << " units box\n";
+  else
+    r << "lattice sc " << apart << "\ncreate_atoms 1 box\n";
+  r << "set group all diameter " << 2 * a
     << "\nset group all density 2600\nfix b all brownian temperature " << T << " seed 5 viscosity " << mu
     << "\nfix nve all nve/sphere\ntimestep " << dt << "\n";
   return text + test::material("") + r.str();
@@ -63,23 +70,27 @@ TEST(FixBrownian, diffusesByEinsteinWhateverTheStep)
   }
 }
 
-TEST(FixBrownian, sameOnAnyNumberOfProcessors)
+TEST(FixBrownianParallel, twoProcessorsGiveTheSameAsOne)
 {
+  ASSERT_EQ(test::processors(), 2);
   const double dt = m / K;
   Host alone(MPI_COMM_SELF), together(MPI_COMM_WORLD);
-  alone(cloud(5, dt) + "run 50\n");
-  together(cloud(5, dt) + "run 50\n");
+  alone(cloud(5, dt, true) + "run 50\n");
+  together(cloud(5, dt, true) + "run 50\n");
   const auto p = alone.atoms(), q = together.atoms();
-  ASSERT_EQ(p.size(), q.size());
-  double moved = 0;
-  // tags may differ between layouts of processors: lattice places do not
-  for (std::size_t i = 0; i < p.size(); i++)
-    if (p[i].tag == q[i].tag && std::abs(p[i].x[0] - q[i].x[0]) < a)
-      for (int k = 0; k < 3; k++) {
-        moved = std::max(moved, std::abs(p[i].v[k]));
-        EXPECT_NEAR(p[i].v[k], q[i].v[k], 1e-12 * (1e-6 + std::abs(p[i].v[k])));
-      }
-  EXPECT_GT(moved, 1e-4);
+  ASSERT_EQ(p.size(), 125u);
+  ASSERT_EQ(q.size(), 125u);
+  const double typical = std::sqrt(kB * T / m);
+  double square = 0;
+  for (std::size_t i = 0; i < p.size(); i++) {
+    ASSERT_EQ(p[i].tag, q[i].tag);
+    for (int k = 0; k < 3; k++) {
+      EXPECT_NEAR(p[i].v[k], q[i].v[k], 1e-12 * typical) << p[i].tag;
+      EXPECT_NEAR(p[i].x[k], q[i].x[k], 1e-9 * a) << p[i].tag;
+      square += p[i].v[k] * p[i].v[k] / 375;
+    }
+  }
+  EXPECT_NEAR(std::sqrt(square), typical, 0.2 * typical);  // all of them have been kicked
 }
 
 TEST(FixBrownian, bodiesDiffuseAsTheirSpheresTogether)

@@ -217,10 +217,9 @@ TEST(FixInsertPlaced, aRestartedRunHasItsParticlesAlready)
 // styles keep there, and pass through, has nothing to do with the length of the list
 TEST(FixInsertPlacedParallel, noProcessorHoldsTheList)
 {
-  int ranks, rank;
-  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  ASSERT_EQ(test::processors(), 2);
+  int rank;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  ASSERT_EQ(ranks, 2);
   double most[2];
   const int n[2] = {16000, 64000};
   for (int k = 0; k < 2; k++) {

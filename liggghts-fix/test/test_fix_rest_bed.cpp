@@ -73,7 +73,7 @@ TEST(FixRestBed, wakesForANewSphere)
   every(fall("run 40000\n" + drop));
   some(fall("fix rest all rest/bed window 2e-3\nrun 40000\n" + drop));
   EXPECT_GT(skipped(some), 5000);
-  double z[2] = {0, 0};
+  double z[2] = {NAN, NAN};
   for (const auto &a : every.atoms()) if (a.type == 2) z[0] = a.x[2];
   for (const auto &a : some.atoms()) if (a.type == 2) z[1] = a.x[2];
   EXPECT_LT(z[0], 0.0115);

@@ -46,11 +46,12 @@ TEST(FixSettlingCurve, spheresInLayers)
     Host host;
     host(s.str());
     EXPECT_NEAR(host.fix("sc")->compute_vector(2), 0.04, 1e-9);
-    EXPECT_EQ(host.fix("sc")->compute_vector(3), 0);
+    EXPECT_EQ(host.fix("sc")->compute_vector(3), 0);  // nothing touches
     EXPECT_NEAR(host.fix("sc")->compute_vector(4), 500 * 4.0 / 3 * M_PI * std::pow(1.5e-3, 3), 1e-15);
   }
   std::string header;
   const auto table = rows(name, &header);
+  MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_EQ(header, "time_s,time_days,interface_m,bed_m,mean_height_m");
   ASSERT_EQ(table.size(), 3u);
   EXPECT_NEAR(table[2][0], 20e-6, 1e-12);
@@ -58,6 +59,40 @@ TEST(FixSettlingCurve, spheresInLayers)
   EXPECT_NEAR(table[0][2], 0.08, 0.002);   // top of the uppermost layer's share
   EXPECT_NEAR(table[0][3], 0.08, 0.003);   // solid fraction 0.22: all of it is bed
   EXPECT_NEAR(table[0][4], 0.04, 1e-12);
+  std::remove(name);
+}
+
+// two spheres 0.15 mm into each other, on both sides of the middle, which may be a border of processors;
+// then one of them deeper in a wall, and a wall for others only
+TEST(FixSettlingCurve, largestOverlapOfSpheresAndWalls)
+{
+  const std::string model = "model hooke/stiffness tangential history";
+  struct Case { std::string style, coeff, wall; };
+  const Case cases[] = {{"gran " + model, "* *", "wall/gran "},
+                        {"gran/lean " + model, "* *", "wall/gran/lean "},
+                        {"hybrid/overlay gran/lean " + model + " coul/clump 0.01", "* * gran/lean", "wall/gran/lean "}};
+  for (const Case &c : cases) {
+    const auto overlap = [&c, &model](const std::string &more) {
+      Host host;
+      host(test::opening("f f f", "0 0.02 0 0.02 0 0.1") +
+           "fix m1 all property/global kn peratomtypepair 2 100 100 100 100\n"
+           "fix m2 all property/global kt peratomtypepair 2 100 100 100 100\n"
+           "fix m3 all property/global gamman peratomtypepair 2 1 1 1 1\n"
+           "fix m4 all property/global gammat peratomtypepair 2 1 1 1 1\n"
+           "fix m5 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
+           "pair_style " + c.style + "\npair_coeff " + c.coeff + "\n" +
+           (c.style[0] == 'h' ? "pair_coeff 1 1 coul/clump 0\npair_coeff 2 2 coul/clump 0\n" : "") +
+           "create_atoms 1 single 0.01 0.01 0.0486 units box\ncreate_atoms 1 single 0.01 0.01 0.05145 units box\n"
+           "set group all diameter 3e-3 density 2600\nfix nve all nve/sphere\ngroup none type 2\n" + more +
+           "timestep 1e-6\nfix sc all settling/curve 10 file " + name + "\nrun 0\n");
+      return host.fix("sc")->compute_vector(3);
+    };
+    const std::string in = c.wall + model + " primitive type 1 zplane ";
+    EXPECT_NEAR(overlap(""), 0.05, 1e-9) << c.style;
+    EXPECT_NEAR(overlap("fix far all " + in + "0.04695\n"), 0.05, 1e-9) << c.style;
+    EXPECT_NEAR(overlap("fix near all " + in + "0.0474\n"), 0.1, 1e-9) << c.style;
+    EXPECT_NEAR(overlap("fix others none " + in + "0.0474\n"), 0.05, 1e-9) << c.style;
+  }
   std::remove(name);
 }
 

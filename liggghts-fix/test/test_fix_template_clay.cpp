@@ -72,6 +72,7 @@ TEST(FixTemplateClay, bodiesHaveTheExactMassAndInertia)
   Host host;
   host(column(10) + "run 1\n");
   auto &data = host.multisphere()->data();
+  ASSERT_EQ(data.n_body_all(), 10);
   for (int b = 0; b < host.multisphere()->n_body(); b++) {
     EXPECT_NEAR(data.mass(b), 14 * m, 1e-12 * m);
     double inertia[3];
@@ -94,6 +95,7 @@ TEST(FixTemplateClay, unionCountsOverlapsOnce)
   const double volume = 7 * 4.0 / 3 * M_PI * 1e-9 * 27 / 16;
   EXPECT_NEAR(f->volexpect(), volume, 1e-12 * volume);
   EXPECT_NEAR(f->massexpect(), 2600 * volume, 1e-12 * 2600 * volume);
+  ASSERT_EQ(host.atoms().size(), 56u);
   for (const auto &a : host.atoms()) EXPECT_NEAR(a.rmass / a.density, volume, 1e-12 * volume);
 }
 

@@ -243,27 +243,27 @@ TEST(PairCoulClump, acrossPeriodicSides)
   EXPECT_GT(acting, 1000);
 }
 
-TEST(PairCoulClump, sameOnManyProcessorsAndAfterRestart)
+namespace {
+
+const std::string charges = "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n";
+
+// clumps that have moved for ten steps, and the restart file of that moment
+std::string begun()
 {
-  // one processor writes a restart; one alone and all together go on from it
-  int rank;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  const std::string charges = "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n";
-  if (rank == 0) {
-    Host first(MPI_COMM_SELF);
-    first(test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") + "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" +
-          test::material("coul/clump 0.008 shifted every 2") + charges + test::clumps(40) +
-          "timestep 1e-5\nrun 10\nwrite_restart coul_clump.restart\n");
-  }
-  MPI_Barrier(MPI_COMM_WORLD);
-  const std::string again = "atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * *\n"
-                            "read_restart coul_clump.restart\nneighbor 0.0005 bin\nneigh_modify delay 0\n" +
-                            test::material("coul/clump 0.008 shifted every 2") + charges +
-                            "fix ms all multisphere\ntimestep 1e-5\nrun 300\n";
-  Host alone(MPI_COMM_SELF), together(MPI_COMM_WORLD);
-  alone(again);
-  together(again);
-  const auto a = alone.atoms(), b = together.atoms();
+  return test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") + "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" +
+         test::material("coul/clump 0.008 shifted every 2") + charges + test::clumps(40) +
+         "timestep 1e-5\nrun 10\nwrite_restart coul_clump.restart\n";
+}
+
+std::string again()
+{
+  return "atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * *\n"
+         "read_restart coul_clump.restart\nneighbor 0.0005 bin\nneigh_modify delay 0\n" +
+         test::material("coul/clump 0.008 shifted every 2") + charges + "fix ms all multisphere\ntimestep 1e-5\nrun 300\n";
+}
+
+void expect_same(const std::vector<test::Atom> &a, const std::vector<test::Atom> &b)
+{
   ASSERT_EQ(a.size(), 560u);
   ASSERT_EQ(b.size(), 560u);
   double moved = 0, apart = 0;
@@ -274,4 +274,32 @@ TEST(PairCoulClump, sameOnManyProcessorsAndAfterRestart)
     }
   EXPECT_GT(moved, 1e-3);
   EXPECT_LT(apart, 1e-8 * moved);
+}
+
+}  // namespace
+
+TEST(PairCoulClump, goesOnAfterARestart)
+{
+  Host straight;
+  straight(begun() + "run 300\n");
+  Host restarted;
+  restarted(again());
+  expect_same(straight.atoms(), restarted.atoms());
+}
+
+// one processor writes a restart; one alone and both together go on from it
+TEST(PairCoulClumpParallel, twoProcessorsGiveTheSameAsOne)
+{
+  ASSERT_EQ(test::processors(), 2);
+  int rank;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0) {
+    Host first(MPI_COMM_SELF);
+    first(begun());
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  Host alone(MPI_COMM_SELF), together(MPI_COMM_WORLD);
+  alone(again());
+  together(again());
+  expect_same(alone.atoms(), together.atoms());
 }

@@ -193,7 +193,6 @@ TEST(PairGranLean, contactsLastFromRunToRun)
   }
 }
 
-// clumps with charges beside: the mass that counts is the body's
 // fix heat/gran reads from the lists which pairs touch
 TEST(PairGranLean, heatGoesThroughItsContacts)
 {
@@ -220,6 +219,7 @@ TEST(PairGranLean, heatGoesThroughItsContacts)
   EXPECT_NEAR(warm[1], warm[0], 1e-8 * warm[0]);
 }
 
+// clumps with charges beside: the mass that counts is the body's
 TEST(PairGranLean, clumpsWithCharges)
 {
   std::string sides;
@@ -248,8 +248,9 @@ TEST(PairGranLean, clumpsWithCharges)
   EXPECT_NEAR(LAMMPS_NS::present_step_limit(ours.lmp.get()), limit, 1e-4 * limit);
 }
 
-TEST(PairGranLean, sameOnManyProcessors)
+TEST(PairGranLeanParallel, twoProcessorsGiveTheSameAsOne)
 {
+  ASSERT_EQ(test::processors(), 2);
   int rank;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank == 0) {

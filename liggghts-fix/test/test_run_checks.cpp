@@ -161,10 +161,9 @@ TEST(RunChecks, sameLimitWhereverThePlatesAre)
 // with all of them
 TEST(RunChecksParallel, memoryGoesByOwnBodies)
 {
-  int ranks, rank;
-  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  ASSERT_EQ(test::processors(), 2);
+  int rank;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  ASSERT_EQ(ranks, 2);
   double most[2];
   for (int k = 0; k < 2; k++) {
     std::string list = "ill 0 0 0.0301 1 0 0 0\nill 0 0 0.03309 1 0 0 0\n";

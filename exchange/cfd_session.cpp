@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "exchange/farewell.h"
+#include "exchange/shutdown.h"
 #include "exchange/handshake.h"
 #include "exchange/packing.h"
 #include "exchange/session.h"

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "exchange/farewell.h"
+#include "exchange/shutdown.h"
 #include "exchange/handshake.h"
 #include "exchange/routing.h"
 #include "exchange/session.h"

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "exchange/farewell.h"
+#include "exchange/shutdown.h"
 #include "exchange/waiting.h"
 #include "exchange/wire.h"
 

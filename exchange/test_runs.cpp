@@ -60,8 +60,8 @@ void expectEnd(const Outcome& o, const std::string& reason) {
   EXPECT_FALSE(o.says("half done after")) << o.text;
 }
 
-const std::string demStops = "test_dem_peer: stopped: the CFD half ended: ";
-const std::string cfdStops = "test_cfd_peer: stopped: the DEM half ended: ";
+const std::string demStops = "test_dem_half: stopped: the CFD half ended: ";
+const std::string cfdStops = "test_cfd_half: stopped: the DEM half ended: ";
 
 TEST(Echo, OneAndOne) { expectDone(run("echo", 1, 1), 1, 1); }
 TEST(Echo, TwoAndThree) { expectDone(run("echo", 2, 3), 2, 3); }
@@ -122,42 +122,42 @@ TEST(Refused, ThreePrograms) {
 }
 
 TEST(Ends, WhenTheDemHalfExitsWithoutAnError) {
-  expectEnd(run("dem:exit0", 1, 2), cfdStops + "test_dem_peer ended before the coupled run did");
+  expectEnd(run("dem:exit0", 1, 2), cfdStops + "test_dem_half ended before the coupled run did");
 }
 TEST(Ends, WhenTheDemHalfExitsWithAnError) {
-  expectEnd(run("dem:exit3", 2, 1), cfdStops + "test_dem_peer ended before the coupled run did");
+  expectEnd(run("dem:exit3", 2, 1), cfdStops + "test_dem_half ended before the coupled run did");
 }
 TEST(Ends, WhenOneDemRankExits) {
-  expectEnd(run("dem0:exit3", 2, 2), cfdStops + "test_dem_peer ended before the coupled run did");
+  expectEnd(run("dem0:exit3", 2, 2), cfdStops + "test_dem_half ended before the coupled run did");
 }
 TEST(Ends, WhenTheCfdHalfExitsWithoutAnError) {
-  expectEnd(run("cfd:exit0", 2, 1), demStops + "test_cfd_peer ended before the coupled run did");
+  expectEnd(run("cfd:exit0", 2, 1), demStops + "test_cfd_half ended before the coupled run did");
 }
 TEST(Ends, WhenTheCfdHalfExitsWithAnError) {
-  expectEnd(run("cfd:exit3", 1, 2), demStops + "test_cfd_peer ended before the coupled run did");
+  expectEnd(run("cfd:exit3", 1, 2), demStops + "test_cfd_half ended before the coupled run did");
 }
 TEST(Ends, WhenTheDemHalfEndsAsLiggghtsDoesOnErrors) {
-  expectEnd(run("dem:error", 2, 2), cfdStops + "test_dem_peer ended before the coupled run did");
+  expectEnd(run("dem:error", 2, 2), cfdStops + "test_dem_half ended before the coupled run did");
 }
 TEST(Ends, WhenTheDemHalfFinalizesEarly) {
-  expectEnd(run("dem:finalize", 1, 1), cfdStops + "test_dem_peer ended before the coupled run did");
+  expectEnd(run("dem:finalize", 1, 1), cfdStops + "test_dem_half ended before the coupled run did");
 }
 TEST(Ends, WhenTheDemHalfSaysNoGoodbye) {
   const Outcome o = run("noGoodbye", 1, 1);
   EXPECT_NE(o.code, 0) << o.text;
   EXPECT_LT(o.seconds, 10);
-  EXPECT_TRUE(o.says(cfdStops + "test_dem_peer ended before the coupled run did")) << o.text;
+  EXPECT_TRUE(o.says(cfdStops + "test_dem_half ended before the coupled run did")) << o.text;
 }
 TEST(Ends, WhenTheDemHalfNeverCouples) {
   for (const char* way : {"before:dem:finalize", "before:dem:error", "before:dem:exit0"})
-    expectEnd(run(way, 1, 2), cfdStops + "test_dem_peer ended without ever coupling");
+    expectEnd(run(way, 1, 2), cfdStops + "test_dem_half ended without ever coupling");
 }
 TEST(Ends, WhenTheCfdHalfNeverCouples) {
-  expectEnd(run("before:cfd:exit0", 2, 1), demStops + "test_cfd_peer ended without ever coupling");
+  expectEnd(run("before:cfd:exit0", 2, 1), demStops + "test_cfd_half ended without ever coupling");
 }
 TEST(Ends, WhenAHalfAborts) {
-  expectEnd(run("cfd:abort", 1, 2), demStops + "test_cfd_peer called MPI_Abort with code 7");
-  expectEnd(run("dem0:abort", 2, 1), cfdStops + "test_dem_peer called MPI_Abort with code 7");
+  expectEnd(run("cfd:abort", 1, 2), demStops + "test_cfd_half called MPI_Abort with code 7");
+  expectEnd(run("dem0:abort", 2, 1), cfdStops + "test_dem_half called MPI_Abort with code 7");
 }
 TEST(Ends, WhenAHalfThrows) {
   expectEnd(run("dem:throw", 1, 1),
@@ -168,12 +168,12 @@ TEST(Ends, WhenAHalfThrows) {
 TEST(Ends, WhenAHalfAbandonsTheRun) {
   const Outcome o = run("cfd0:abandon", 2, 2);
   expectEnd(o, demStops + "no more cheese");
-  EXPECT_TRUE(o.says("test_cfd_peer: no more cheese")) << o.text;
+  EXPECT_TRUE(o.says("test_cfd_half: no more cheese")) << o.text;
 }
 TEST(Ends, WithOneLineWhenAllRanksAbandonTheRun) {
   const Outcome o = run("dem:abandon", 3, 1, "TEST_SAVE_SECONDS=1");
   expectEnd(o, cfdStops + "no more cheese");
-  const std::string line = "test_dem_peer: no more cheese";
+  const std::string line = "test_dem_half: no more cheese";
   EXPECT_EQ(o.text.find(line), o.text.rfind(line)) << o.text;
 }
 TEST(Ends, WhenAHalfIsKilled) {
@@ -186,14 +186,14 @@ TEST(Ends, WhenAHalfLeavesWithoutAWord) {
 
 TEST(Ends, WhenAParticleLeavesTheMesh) {
   const Outcome o = run("lost", 2, 3);
-  expectEnd(o, "test_dem_peer: particle 18 at (1.5 ");
+  expectEnd(o, "test_dem_half: particle 18 at (1.5 ");
   EXPECT_TRUE(o.says("lies outside the mesh, (0 0 0) to (1 0.5 0.5) m")) << o.text;
   EXPECT_TRUE(o.says(cfdStops + "particle 18 at")) << o.text;
 }
 
 TEST(Ends, AfterTheOtherHalfHasSavedItsState) {
   const Outcome o = run("dem:error", 1, 3, "TEST_SAVE_SECONDS=3");
-  expectEnd(o, "CFD rank 0 saved its state: test_dem_peer ended");
+  expectEnd(o, "CFD rank 0 saved its state: test_dem_half ended");
   EXPECT_TRUE(o.says("CFD rank 1 saved its state")) << o.text;
   EXPECT_TRUE(o.says("CFD rank 2 saved its state")) << o.text;
 }

@@ -10,7 +10,7 @@
 #include "exchange/packing.h"
 #include "exchange/routing.h"
 #include "exchange/terms.h"
-#include "exchange/test_peers.h"
+#include "exchange/test_halves.h"
 
 using clay::CfdTerms;
 using clay::DemTerms;

@@ -14,23 +14,23 @@ gtest_add_tests(TARGET test_terms TEST_PREFIX exchange. TEST_LIST terms_tests)
 set_tests_properties(${terms_tests} PROPERTIES TIMEOUT 20)
 
 # the two programs of the test runs
-foreach(peer test_dem_peer test_cfd_peer)
+foreach(peer test_dem_half test_cfd_half)
   add_executable(${peer} ${peer}.cpp)
   target_link_libraries(${peer} PRIVATE clay_world clay_exchange)
 endforeach()
 
 # a program that splits the world by itself has no wrappers
-add_executable(test_adopt_peer test_adopt_peer.cpp)
-target_link_libraries(test_adopt_peer PRIVATE clay_exchange)
+add_executable(test_adopt_half test_adopt_half.cpp)
+target_link_libraries(test_adopt_half PRIVATE clay_exchange)
 
 add_executable(test_runs test_runs.cpp)
 target_link_libraries(test_runs PRIVATE GTest::gtest_main)
 list(JOIN CLAYFOAM_MPI_ENVIRONMENT " " mpi_environment)
 target_compile_definitions(test_runs PRIVATE
   MPIRUN="env ${mpi_environment} ${MPIEXEC_EXECUTABLE}"
-  ADOPT_PEER="$<TARGET_FILE:test_adopt_peer>"
-  DEM_PEER="$<TARGET_FILE:test_dem_peer>" CFD_PEER="$<TARGET_FILE:test_cfd_peer>")
-add_dependencies(test_runs test_dem_peer test_cfd_peer test_adopt_peer)
+  ADOPT_PEER="$<TARGET_FILE:test_adopt_half>"
+  DEM_PEER="$<TARGET_FILE:test_dem_half>" CFD_PEER="$<TARGET_FILE:test_cfd_half>")
+add_dependencies(test_runs test_dem_half test_cfd_half test_adopt_half)
 gtest_add_tests(TARGET test_runs TEST_PREFIX exchange. TEST_LIST run_tests)
 set_tests_properties(${run_tests} PROPERTIES
   TIMEOUT 60 RUN_SERIAL ON)

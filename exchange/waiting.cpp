@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "exchange/farewell.h"
+#include "exchange/shutdown.h"
 #include "exchange/world.h"
 
 namespace clay {

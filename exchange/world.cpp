@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "exchange/farewell.h"
+#include "exchange/shutdown.h"
 
 namespace clay {
 

@@ -3,7 +3,7 @@
 /// MPI's profiling interface confines a host code to its half: each call that
 /// takes a communicator means the half where the host says MPI_COMM_WORLD. Here:
 /// start and end, messages, communicators; see also world_wrappers_groups.cpp.
-#include "exchange/farewell.h"
+#include "exchange/shutdown.h"
 #include "exchange/world_wrappers.h"
 
 using clay::confined;

@@ -1,8 +1,8 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-/// \file test_adopt_peer.cpp
+/// \file test_adopt_half.cpp
 /// Either half as a host code that splits the world by itself, so that it needs
 /// no wrappers. Argument: dem or cfd.
-#include "exchange/test_peers.h"
+#include "exchange/test_halves.h"
 
 using clay::Field;
 

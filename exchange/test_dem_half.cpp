@@ -1,9 +1,9 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-/// \file test_dem_peer.cpp
+/// \file test_dem_half.cpp
 /// A DEM half for the test runs: random particles, whose answers are known.
 #include <random>
 
-#include "exchange/test_peers.h"
+#include "exchange/test_halves.h"
 
 using clay::Field;
 

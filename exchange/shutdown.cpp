@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchange/farewell.h"
+#include "exchange/shutdown.h"
 
 #include <errno.h>
 #include <unistd.h>

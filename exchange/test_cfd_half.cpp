@@ -1,7 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-/// \file test_cfd_peer.cpp
+/// \file test_cfd_half.cpp
 /// A CFD half for the test runs: checks what comes in, answers what is known.
-#include "exchange/test_peers.h"
+#include "exchange/test_halves.h"
 
 using clay::Field;
 

@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-/// \file farewell.h
+/// \file shutdown.h
 /// How a half ends when the coupled run is not over: the other half is told
 /// why, may save its state, and both end with a non-zero exit.
 #pragma once

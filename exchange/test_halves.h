@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-/// \file test_peers.h
+/// \file test_halves.h
 /// What the two programs of the test runs have in common: the terms, the mesh,
 /// and the ways to die. They use MPI as a host code does, unaware of halves.
 #pragma once

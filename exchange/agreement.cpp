@@ -91,8 +91,8 @@ std::string times(const DemTerms& dem, const CfdTerms& cfd) {
   const double interval = dem.step * static_cast<double>(dem.interval);
   if (cfd.couplingInterval && differ(interval, *cfd.couplingInterval, 1e-6 * interval))
     return "the coupling intervals differ: " + text(interval) + " s (" +
-           std::to_string(dem.interval) + " steps of " + text(dem.step) +
-           " s) in the DEM half, " + text(*cfd.couplingInterval) + " s in the CFD half";
+           std::to_string(dem.interval) + " steps of " + text(dem.step) + " s) in the DEM half, " +
+           text(*cfd.couplingInterval) + " s in the CFD half";
   return "";
 }
 
@@ -138,9 +138,9 @@ std::string fields(const DemTerms& dem, const CfdTerms& cfd) {
 
 std::string disagreement(const DemTerms& dem, const CfdTerms& cfd) {
   if (dem.wire != cfd.wire)
-    return "the halves speak different versions of the exchange: " +
-           std::to_string(dem.wire) + " in the DEM half (" + dem.program + "), " +
-           std::to_string(cfd.wire) + " in the CFD half (" + cfd.program + ")";
+    return "the halves speak different versions of the exchange: " + std::to_string(dem.wire) +
+           " in the DEM half (" + dem.program + "), " + std::to_string(cfd.wire) +
+           " in the CFD half (" + cfd.program + ")";
   for (auto check : {oneHalfAlone, times, gravities, fields}) {
     const std::string line = check(dem, cfd);
     if (!line.empty()) return line;

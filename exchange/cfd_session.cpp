@@ -29,7 +29,7 @@ double now() { return PMPI_Wtime(); }
 
 struct CfdSession::Impl {
   // What comes from one DEM rank and goes back to it. The buffers keep their memory.
-  struct Peer {
+  struct RemoteRank {
     Header announced;  // what it does next, comes in at any time
     Header header;     // of the last state
     std::vector<double> state, answer;
@@ -39,12 +39,12 @@ struct CfdSession::Impl {
 
   BothTerms terms;
   FieldSet sends, receives;
-  std::vector<Peer> peers;
+  std::vector<RemoteRank> remotes;
   std::vector<MPI_Request> headers, states, out;
   SharedParticles shared;
   int particles = 0;
   double time = 0, interval = 0, reported = 0, late = 0;
-  bool last = false, open = false, heardGoodbye = false;
+  bool last = false, open = false, closeReceived = false;
   std::array<double, 3> impulse{};
   Timing timing;
 
@@ -55,39 +55,39 @@ struct CfdSession::Impl {
 
   void postHeaders() {
     const auto& world = World::instance();
-    headers.resize(peers.size());
-    for (std::size_t p = 0; p < peers.size(); ++p)
-      PMPI_Irecv(&peers[p].announced, Header::doubles, MPI_DOUBLE, world.peers()[p],
+    headers.resize(remotes.size());
+    for (std::size_t p = 0; p < remotes.size(); ++p)
+      PMPI_Irecv(&remotes[p].announced, Header::doubles, MPI_DOUBLE, world.remoteRanks()[p],
                  wire::tagHeader, world.whole(), &headers[p]);
   }
 
   void takeState(Particles& particles);
   void unpack(Particles& particles);
-  void pack(const Particles& answers, const std::vector<char>& owned, Peer& peer);
+  void pack(const Particles& answers, const std::vector<char>& owned, RemoteRank& remote);
 };
 
 void CfdSession::Impl::takeState(Particles& list) {
   const auto& world = World::instance();
   const int width = receives.width();
-  time = peers[0].announced.time;
-  interval = peers[0].announced.interval;
-  last = peers[0].announced.last != 0;
+  time = remotes[0].announced.time;
+  interval = remotes[0].announced.interval;
+  last = remotes[0].announced.last != 0;
   impulse = {};
   particles = 0;
   states.clear();
-  for (std::size_t p = 0; p < peers.size(); ++p) {
-    auto& peer = peers[p];
-    const Header& h = peer.header = peer.announced;
+  for (std::size_t p = 0; p < remotes.size(); ++p) {
+    auto& remote = remotes[p];
+    const Header& h = remote.header = remote.announced;
     // in the order of the ranks: the sum is the same on every CFD rank
     for (int c = 0; c < 3; ++c) impulse[c] += h.impulse[c];
-    peer.first = particles;
+    remote.first = particles;
     if (h.count == 0) continue;
-    particles += peer.count();
-    peer.state.resize(static_cast<std::size_t>(peer.count()) * width +
-                      static_cast<std::size_t>(h.shares));
+    particles += remote.count();
+    remote.state.resize(static_cast<std::size_t>(remote.count()) * width +
+                        static_cast<std::size_t>(h.shares));
     states.emplace_back();
-    PMPI_Irecv(peer.state.data(), static_cast<int>(peer.state.size()), MPI_DOUBLE,
-               world.peers()[p], wire::tagState, world.whole(), &states.back());
+    PMPI_Irecv(remote.state.data(), static_cast<int>(remote.state.size()), MPI_DOUBLE,
+               world.remoteRanks()[p], wire::tagState, world.whole(), &states.back());
   }
   waitUntil([&] { return allDone(states); }, forState, &timing.waiting);
   unpack(list);
@@ -97,19 +97,19 @@ void CfdSession::Impl::unpack(Particles& list) {
   if (!(list.fields() == receives)) list = Particles(receives);
   list.resize(particles);
   shared.clear();
-  for (auto& peer : peers) {
-    const int n = peer.count();
+  for (auto& remote : remotes) {
+    const int n = remote.count();
     if (n == 0) continue;
-    const double* from = unpackFields(peer.state.data(), receives, n, list, peer.first);
-    shared.add(from, static_cast<std::size_t>(peer.header.shares), peer.first);
+    const double* from = unpackFields(remote.state.data(), receives, n, list, remote.first);
+    shared.add(from, static_cast<std::size_t>(remote.header.shares), remote.first);
   }
 }
 
 void CfdSession::Impl::pack(const Particles& answers, const std::vector<char>& owned,
-                            Peer& peer) {
-  packAnswers(answers, owned, sends, peer.first, peer.count(), wire::answerEnd, peer.answer);
-  *(peer.answer.end() - 2) = reported;
-  *(peer.answer.end() - 1) = late;
+                            RemoteRank& remote) {
+  packAnswers(answers, owned, sends, remote.first, remote.count(), wire::answerEnd, remote.answer);
+  *(remote.answer.end() - 2) = reported;
+  *(remote.answer.end() - 1) = late;
 }
 
 CfdSession::CfdSession(const CfdTerms& mine, const Box& rankBox) : impl_(new Impl) {
@@ -117,18 +117,18 @@ CfdSession::CfdSession(const CfdTerms& mine, const Box& rankBox) : impl_(new Imp
   s.terms = shakeHands(Half::cfd, encode(mine));
   s.settle();
   sendBoxes(rankBox);
-  s.peers.resize(World::instance().peers().size());
+  s.remotes.resize(World::instance().remoteRanks().size());
   s.time = s.terms.dem.startTime;
   s.open = true;
   s.postHeaders();
 }
 
 CfdSession::~CfdSession() {
-  // messages under way keep their buffers: the program ends without a goodbye
+  // messages under way keep their buffers: the program ends without close()
   if (impl_ && impl_->open) static_cast<void>(impl_.release());
 }
 
-const DemTerms& CfdSession::peer() const { return impl_->terms.dem; }
+const DemTerms& CfdSession::remoteTerms() const { return impl_->terms.dem; }
 const FieldSet& CfdSession::receives() const { return impl_->receives; }
 const FieldSet& CfdSession::sends() const { return impl_->sends; }
 const Timing& CfdSession::timing() const { return impl_->timing; }
@@ -139,13 +139,12 @@ std::array<double, 3> CfdSession::impulse() const { return impl_->impulse; }
 
 CfdSession::Event CfdSession::next(Particles& particles) {
   auto& s = *impl_;
-  if (s.heardGoodbye) return Event::closed;
+  if (s.closeReceived) return Event::closed;
   const double start = now(), idle = s.timing.waiting;
-  waitUntil([&] { return allDone(s.headers) && allDone(s.out); }, forState,
-            &s.timing.waiting);
-  const Header h = s.peers[0].announced;
-  for (const auto& peer : s.peers)
-    if (peer.announced.kind != h.kind || peer.announced.exchange != h.exchange)
+  waitUntil([&] { return allDone(s.headers) && allDone(s.out); }, forState, &s.timing.waiting);
+  const Header h = s.remotes[0].announced;
+  for (const auto& remote : s.remotes)
+    if (remote.announced.kind != h.kind || remote.announced.exchange != h.exchange)
       abandon("the ranks of the DEM half are not at the same exchange");
 
   Event event = Event::state;
@@ -156,7 +155,7 @@ CfdSession::Event CfdSession::next(Particles& particles) {
       s.postHeaders();
       break;
     case Kind::resume:
-      s.terms.dem = decodeDem(receiveFromPeers(wire::tagTerms, "the DEM half's new terms"));
+      s.terms.dem = decodeDem(receiveFromOtherHalf(wire::tagTerms, "the DEM half's new terms"));
       // this half goes on where the last run ended
       s.terms.cfd.startTime = s.time;
       agree(s.terms.dem, s.terms.cfd);
@@ -165,9 +164,9 @@ CfdSession::Event CfdSession::next(Particles& particles) {
       event = Event::resumed;
       break;
     case Kind::close:
-      s.heardGoodbye = true;
+      s.closeReceived = true;
       s.open = false;
-      setStage(Stage::parted);
+      setStage(Stage::closed);
       event = Event::closed;
       break;
   }
@@ -198,21 +197,21 @@ void CfdSession::answer(const Particles& answers, const std::vector<char>& owned
   const double start = now(), idle = s.timing.waiting;
   s.out.clear();
   double bytes = 0;
-  for (std::size_t p = 0; p < s.peers.size(); ++p) {
-    auto& peer = s.peers[p];
-    if (peer.count() == 0) continue;
-    s.pack(answers, owned, peer);
+  for (std::size_t p = 0; p < s.remotes.size(); ++p) {
+    auto& remote = s.remotes[p];
+    if (remote.count() == 0) continue;
+    s.pack(answers, owned, remote);
     s.out.emplace_back();
-    PMPI_Isend(peer.answer.data(), static_cast<int>(peer.answer.size()), MPI_DOUBLE,
-               world.peers()[p], wire::tagAnswer, world.whole(), &s.out.back());
-    bytes += 8. * static_cast<double>(peer.answer.size());
+    PMPI_Isend(remote.answer.data(), static_cast<int>(remote.answer.size()), MPI_DOUBLE,
+               world.remoteRanks()[p], wire::tagAnswer, world.whole(), &s.out.back());
+    bytes += 8. * static_cast<double>(remote.answer.size());
   }
   s.timing.bytesSent += bytes;
   // A long message needs this rank's help on its way, which it would not get
   // while this half solves: a DEM half that waits for it gets it now, one that
   // does not is not waited for long.
-  const double patience = 1e-3 + bytes / 200e6;
-  waitUntil([&] { return allDone(s.out) || now() - start > patience; }, forTaking,
+  const double longest = 1e-3 + bytes / 200e6;
+  waitUntil([&] { return allDone(s.out) || now() - start > longest; }, forTaking,
             &s.timing.waiting);
   s.timing.exchange += now() - start - (s.timing.waiting - idle);
 }
@@ -224,8 +223,7 @@ void CfdSession::report(double momentumResidual, bool late) {
 
 void CfdSession::close() {
   auto& s = *impl_;
-  if (!s.heardGoodbye)
-    abandon("the CFD half closed its session before the coupled run had ended");
+  if (!s.closeReceived) abandon("the CFD half closed its session before the coupled run had ended");
   s.open = false;
 }
 

@@ -35,7 +35,7 @@ std::string text(const double* x) {
 
 struct DemSession::Impl {
   // What goes to one CFD rank and comes back from it. The buffers keep their memory.
-  struct Peer {
+  struct RemoteRank {
     Header header;
     std::vector<double> state, answer;
     std::size_t answerSlot = 0;
@@ -44,7 +44,7 @@ struct DemSession::Impl {
   BothTerms terms;
   FieldSet sends, receives;
   Routing routing;
-  std::vector<Peer> peers;
+  std::vector<RemoteRank> remotes;
   std::vector<MPI_Request> out, in;
   std::vector<MPI_Status> inStatus;
   std::vector<long> answeredIn;  // exchange in which a particle was answered
@@ -64,34 +64,35 @@ struct DemSession::Impl {
     const auto& world = World::instance();
     waitUntil([&] { return allDone(out); }, forTaking, &timing.waiting);
     out.clear();
-    for (std::size_t p = 0; p < peers.size(); ++p) {
-      auto& header = peers[p].header;
+    for (std::size_t p = 0; p < remotes.size(); ++p) {
+      auto& header = remotes[p].header;
       header = Header{};
       header.kind = static_cast<int>(kind);
       header.exchange = static_cast<double>(timing.exchanges);
       header.time = lastTime;
-      post(&header, Header::doubles, world.peers()[p], wire::tagHeader);
+      post(&header, Header::doubles, world.remoteRanks()[p], wire::tagHeader);
     }
   }
 
   void post(const void* data, std::size_t doubles, int rank, int tag) {
     out.emplace_back();
-    PMPI_Isend(data, static_cast<int>(doubles), MPI_DOUBLE, rank, tag,
-               World::instance().whole(), &out.back());
+    PMPI_Isend(data, static_cast<int>(doubles), MPI_DOUBLE, rank, tag, World::instance().whole(),
+               &out.back());
     timing.bytesSent += 8. * static_cast<double>(doubles);
   }
 
-  void pack(const Particles& particles, const Routing::Route& route, Peer& peer);
+  void pack(const Particles& particles, const Routing::Route& route, RemoteRank& remote);
   bool test();
   void unpack(Particles& answer);
   [[noreturn]] void lost(int i) const;
 };
 
 // Field by field, then the list of sharers
-void DemSession::Impl::pack(const Particles& particles, const Routing::Route& route, Peer& peer) {
+void DemSession::Impl::pack(const Particles& particles, const Routing::Route& route,
+                            RemoteRank& remote) {
   const std::size_t n = route.particles.size();
-  peer.state.resize(n * static_cast<std::size_t>(sends.width()) + route.shares.size());
-  double* to = peer.state.data();
+  remote.state.resize(n * static_cast<std::size_t>(sends.width()) + route.shares.size());
+  double* to = remote.state.data();
   for (unsigned k = 0; k < fieldCount; ++k) {
     const auto f = static_cast<Field>(k);
     if (!sends.has(f)) continue;
@@ -116,8 +117,8 @@ void DemSession::Impl::lost(int i) const {
   const double* tag = sent->fields().has(Field::tag) ? (*sent)[Field::tag] : nullptr;
   char when[40];
   std::snprintf(when, sizeof when, "%.9g s", lastTime);
-  abandon("particle " + (tag ? std::to_string(std::llround(tag[i])) : std::string("?")) +
-          " at " + text((*sent)[Field::position] + 3 * i) + " m lies outside the mesh, " +
+  abandon("particle " + (tag ? std::to_string(std::llround(tag[i])) : std::string("?")) + " at " +
+          text((*sent)[Field::position] + 3 * i) + " m lies outside the mesh, " +
           text(world.lo.data()) + " to " + text(world.hi.data()) + " m, at " + when);
 }
 
@@ -129,16 +130,16 @@ void DemSession::Impl::unpack(Particles& answer) {
   std::fill(answeredIn.begin(), answeredIn.end(), -1);
   late = false;
   const std::size_t width = static_cast<std::size_t>(receives.width());
-  for (std::size_t p = 0; p < peers.size(); ++p) {
-    const auto& peer = peers[p];
+  for (std::size_t p = 0; p < remotes.size(); ++p) {
+    const auto& remote = remotes[p];
     const auto& particles = routing[p].particles;
     if (particles.empty()) continue;
     int doubles = 0;
-    PMPI_Get_count(&inStatus[peer.answerSlot], MPI_DOUBLE, &doubles);
+    PMPI_Get_count(&inStatus[remote.answerSlot], MPI_DOUBLE, &doubles);
     const std::size_t answers = static_cast<std::size_t>(doubles - wire::answerEnd) / (1 + width);
-    reported = peer.answer[static_cast<std::size_t>(doubles - 2)];
-    late = late || peer.answer[static_cast<std::size_t>(doubles - 1)] != 0;
-    const double* index = peer.answer.data();
+    reported = remote.answer[static_cast<std::size_t>(doubles - 2)];
+    late = late || remote.answer[static_cast<std::size_t>(doubles - 1)] != 0;
+    const double* index = remote.answer.data();
     const double* from = index + answers;
     for (std::size_t a = 0; a < answers; ++a) {
       const auto i = static_cast<std::size_t>(particles[static_cast<std::size_t>(index[a])]);
@@ -163,19 +164,19 @@ DemSession::DemSession(const DemTerms& mine) : impl_(new Impl) {
   s.terms = shakeHands(Half::dem, encode(mine));
   s.settle();
   s.routing = Routing(receiveBoxes());
-  s.peers.resize(s.routing.size());
+  s.remotes.resize(s.routing.size());
   s.lastTime = s.terms.dem.startTime;
   s.open = true;
 }
 
 DemSession::~DemSession() {
-  // messages under way keep their buffers: the program ends without a goodbye
+  // messages under way keep their buffers: the program ends without close()
   if (impl_ && impl_->open) static_cast<void>(impl_.release());
 }
 
 double DemSession::reported() const { return impl_->reported; }
 bool DemSession::late() const { return impl_->late; }
-const CfdTerms& DemSession::peer() const { return impl_->terms.cfd; }
+const CfdTerms& DemSession::remoteTerms() const { return impl_->terms.cfd; }
 const FieldSet& DemSession::sends() const { return impl_->sends; }
 const FieldSet& DemSession::receives() const { return impl_->receives; }
 const Timing& DemSession::timing() const { return impl_->timing; }
@@ -198,11 +199,11 @@ void DemSession::send(const Particles& particles, double time, bool last,
   s.routing.route(particles[Field::position], particles[Field::radius], particles.size());
   const std::size_t width = static_cast<std::size_t>(s.receives.width());
   s.in.clear();
-  for (std::size_t p = 0; p < s.peers.size(); ++p) {
-    auto& peer = s.peers[p];
+  for (std::size_t p = 0; p < s.remotes.size(); ++p) {
+    auto& remote = s.remotes[p];
     const auto& route = s.routing[p];
     const std::size_t n = route.particles.size();
-    auto& h = peer.header;
+    auto& h = remote.header;
     h.kind = static_cast<int>(Kind::state);
     h.exchange = static_cast<double>(s.timing.exchanges);
     h.time = time;
@@ -211,15 +212,15 @@ void DemSession::send(const Particles& particles, double time, bool last,
     h.count = static_cast<double>(n);
     h.shares = static_cast<double>(route.shares.size());
     std::copy(impulse.begin(), impulse.end(), h.impulse);
-    s.post(&h, Header::doubles, world.peers()[p], wire::tagHeader);
+    s.post(&h, Header::doubles, world.remoteRanks()[p], wire::tagHeader);
     if (n == 0) continue;
-    s.pack(particles, route, peer);
-    s.post(peer.state.data(), peer.state.size(), world.peers()[p], wire::tagState);
-    peer.answer.resize(n * (1 + width) + wire::answerEnd);
-    peer.answerSlot = s.in.size();
+    s.pack(particles, route, remote);
+    s.post(remote.state.data(), remote.state.size(), world.remoteRanks()[p], wire::tagState);
+    remote.answer.resize(n * (1 + width) + wire::answerEnd);
+    remote.answerSlot = s.in.size();
     s.in.emplace_back();
-    PMPI_Irecv(peer.answer.data(), static_cast<int>(peer.answer.size()), MPI_DOUBLE,
-               world.peers()[p], wire::tagAnswer, world.whole(), &s.in.back());
+    PMPI_Irecv(remote.answer.data(), static_cast<int>(remote.answer.size()), MPI_DOUBLE,
+               world.remoteRanks()[p], wire::tagAnswer, world.whole(), &s.in.back());
   }
   s.inStatus.resize(s.in.size());
   s.sent = &particles;
@@ -234,7 +235,7 @@ void DemSession::send(const Particles& particles, double time, bool last,
 
 bool DemSession::answered() {
   if (impl_->awaiting && impl_->test()) return true;
-  checkFarewell();
+  checkShutdown();
   if (impl_->awaiting) endOnSilence(now() - impl_->sentAt, forAnswer);
   return !impl_->awaiting;
 }
@@ -252,12 +253,10 @@ void DemSession::receive(Particles& answer) {
 void DemSession::resume(const DemTerms& terms) {
   auto& s = *impl_;
   const auto& world = World::instance();
-  if (s.awaiting)
-    throw std::logic_error("DemSession::resume: the last answer was not received");
+  if (s.awaiting) throw std::logic_error("DemSession::resume: the last answer was not received");
   s.announce(Kind::resume);
   // the first rank's terms count, as in the first handshake
-  if (world.rank() == 0)
-    sendText(encode(terms), world.peers()[0], wire::tagTerms, forTaking);
+  if (world.rank() == 0) sendText(encode(terms), world.remoteRanks()[0], wire::tagTerms, forTaking);
   const std::string agreed = shareText(encode(terms));
   s.terms.dem = decodeDem(agreed);
   // the CFD half goes on where the last run ended
@@ -275,7 +274,7 @@ void DemSession::close() {
   s.announce(Kind::close);
   waitUntil([&] { return allDone(s.out); }, forTaking, &s.timing.waiting);
   s.open = false;
-  setStage(Stage::parted);
+  setStage(Stage::closed);
 }
 
 }  // namespace clay

@@ -14,17 +14,17 @@ namespace clay {
 /// A per-particle field on the wire. All values are doubles, in SI units.
 enum class Field : unsigned {
   // DEM to CFD
-  position,         ///< centre [m], 3
-  radius,           ///< geometric radius [m], 1
-  volume,           ///< solid volume it stands for [m3], 1
-  velocity,         ///< velocity of the centre [m/s], 3
-  tag,              ///< the DEM half's particle number, 1
-  body,             ///< number of the clump it belongs to, -1 for none, 1
-  impulse,          ///< impulse received from the fluid since the last exchange [N s], 3
-  mass,             ///< mass it stands for [kg], 1
-  spin,             ///< angular velocity [rad/s], 3
-  dragDiameter,     ///< diameter in the drag law, of its clump [m], 1
-  dragFactor,       ///< its clump's drag alone over Stokes' with that diameter, 0 for a free sphere, 1
+  position,      ///< centre [m], 3
+  radius,        ///< geometric radius [m], 1
+  volume,        ///< solid volume it stands for [m3], 1
+  velocity,      ///< velocity of the centre [m/s], 3
+  tag,           ///< the DEM half's particle number, 1
+  body,          ///< number of the clump it belongs to, -1 for none, 1
+  impulse,       ///< impulse received from the fluid since the last exchange [N s], 3
+  mass,          ///< mass it stands for [kg], 1
+  spin,          ///< angular velocity [rad/s], 3
+  dragDiameter,  ///< diameter in the drag law, of its clump [m], 1
+  dragFactor,    ///< its clump's drag alone over Stokes' with that diameter, 0 for a free sphere, 1
   // CFD to DEM
   dragCoefficient,  ///< K in F = K (u - v) [kg/s], 1
   fluidVelocity,    ///< u in F = K (u - v) [m/s], 3
@@ -47,12 +47,18 @@ const char* name(Field f);
 class FieldSet {
  public:
   FieldSet() = default;
-  FieldSet(std::initializer_list<Field> fields) { for (auto f : fields) add(f); }
+  FieldSet(std::initializer_list<Field> fields) {
+    for (auto f : fields) add(f);
+  }
   void add(Field f) { bits_ |= 1u << static_cast<unsigned>(f); }
   bool has(Field f) const { return bits_ >> static_cast<unsigned>(f) & 1u; }
   bool operator==(const FieldSet& o) const { return bits_ == o.bits_; }
   /// The fields of this set that the other lacks.
-  FieldSet without(const FieldSet& o) const { FieldSet s; s.bits_ = bits_ & ~o.bits_; return s; }
+  FieldSet without(const FieldSet& o) const {
+    FieldSet s;
+    s.bits_ = bits_ & ~o.bits_;
+    return s;
+  }
   bool empty() const { return bits_ == 0; }
   /// Doubles a particle has in a message of these fields.
   int width() const;

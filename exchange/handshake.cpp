@@ -2,6 +2,7 @@
 #include "exchange/handshake.h"
 
 #include <cstring>
+#include <stdexcept>
 
 #include "exchange/shutdown.h"
 #include "exchange/waiting.h"
@@ -17,9 +18,9 @@ constexpr const char* forBoxes = "the boxes of the CFD ranks";
 // The first rank's text on every rank of this half
 std::string fromFirst(const std::string& text, int tag, const char* forWhat) {
   const auto& world = World::instance();
-  if (world.rank() != 0) return receiveText(world.mates()[0], tag, forWhat);
+  if (world.rank() != 0) return receiveText(world.localRanks()[0], tag, forWhat);
   for (int r = 1; r < world.size(); ++r)
-    sendText(text, world.mates()[static_cast<std::size_t>(r)], tag, forWhat);
+    sendText(text, world.localRanks()[static_cast<std::size_t>(r)], tag, forWhat);
   return text;
 }
 
@@ -31,21 +32,24 @@ std::string pack(const Box* boxes, std::size_t n) {
 
 BothTerms shakeHands(Half half, const std::string& myTerms) {
   const auto& world = World::instance();
-  if (!world.ready() || world.programs() != 2)
-    throw Refusal("started alone: a coupled run is `mpirun -np N liggghts-clay ... : "
+  if (world.ready() && world.which() != half)
+    throw std::logic_error(std::string("a session of the ") + name(half) +
+                           " half in a program of the " + name(world.which()) + " half");
+  if (!world.ready() || !world.hasOtherHalf())
+    throw Refusal(std::string("started alone, ") + (half == Half::dem ? "no CFD" : "no DEM") +
+                  " half is in this mpirun: a coupled run is `mpirun -np N liggghts-clay ... : "
                   "-np M clayFoam ...`");
-  if (stage() == Stage::parted)
+  if (stage() == Stage::closed)
     throw Refusal("the coupled run is over: the other half has ended, none can begin");
-  setHalf(half);
   silenceLimit();
   const int tag = wire::tagTerms;
   std::string theirs;
   if (world.rank() == 0) {
     // both halves send first: the message must be under way before the wait
     std::vector<MPI_Request> request(1);
-    PMPI_Isend(myTerms.data(), static_cast<int>(myTerms.size()), MPI_CHAR, world.peers()[0],
+    PMPI_Isend(myTerms.data(), static_cast<int>(myTerms.size()), MPI_CHAR, world.remoteRanks()[0],
                tag, world.whole(), &request[0]);
-    theirs = receiveText(world.peers()[0], tag, forTerms);
+    theirs = receiveText(world.remoteRanks()[0], tag, forTerms);
     waitUntil([&] { return allDone(request); }, forTerms);
   }
   const std::string mine = fromFirst(myTerms, tag, forTerms);
@@ -55,7 +59,7 @@ BothTerms shakeHands(Half half, const std::string& myTerms) {
     both.dem = decodeDem(half == Half::dem ? mine : theirs);
     both.cfd = decodeCfd(half == Half::cfd ? mine : theirs);
   } catch (const Refusal&) {
-    setStage(Stage::parted);
+    setStage(Stage::closed);
     throw;
   }
   agree(both.dem, both.cfd);
@@ -66,7 +70,7 @@ BothTerms shakeHands(Half half, const std::string& myTerms) {
 void agree(const DemTerms& dem, const CfdTerms& cfd) {
   const std::string line = disagreement(dem, cfd);
   if (line.empty()) return;
-  setStage(Stage::parted);
+  setStage(Stage::closed);
   throw Refusal(line);
 }
 
@@ -74,28 +78,26 @@ void sendBoxes(const Box& rankBox) {
   const auto& world = World::instance();
   const int tag = wire::tagBoxes;
   if (world.rank() != 0) {
-    sendText(pack(&rankBox, 1), world.mates()[0], tag, forBoxes);
+    sendText(pack(&rankBox, 1), world.localRanks()[0], tag, forBoxes);
     return;
   }
   std::string all = pack(&rankBox, 1);
   for (int r = 1; r < world.size(); ++r)
-    all += receiveText(world.mates()[static_cast<std::size_t>(r)], tag, forBoxes);
-  sendText(all, world.peers()[0], tag, forBoxes);
+    all += receiveText(world.localRanks()[static_cast<std::size_t>(r)], tag, forBoxes);
+  sendText(all, world.remoteRanks()[0], tag, forBoxes);
 }
 
-std::string shareText(const std::string& text) {
-  return fromFirst(text, wire::tagTerms, forTerms);
-}
+std::string shareText(const std::string& text) { return fromFirst(text, wire::tagTerms, forTerms); }
 
-std::string receiveFromPeers(int tag, const char* forWhat) {
+std::string receiveFromOtherHalf(int tag, const char* forWhat) {
   const auto& world = World::instance();
   std::string text;
-  if (world.rank() == 0) text = receiveText(world.peers()[0], tag, forWhat);
+  if (world.rank() == 0) text = receiveText(world.remoteRanks()[0], tag, forWhat);
   return fromFirst(text, tag, forWhat);
 }
 
 std::vector<Box> receiveBoxes() {
-  const std::string text = receiveFromPeers(wire::tagBoxes, forBoxes);
+  const std::string text = receiveFromOtherHalf(wire::tagBoxes, forBoxes);
   std::vector<Box> boxes(text.size() / sizeof(Box));
   std::memcpy(boxes.data(), text.data(), boxes.size() * sizeof(Box));
   return boxes;

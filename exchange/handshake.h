@@ -35,8 +35,8 @@ std::vector<Box> receiveBoxes();
 std::string shareText(const std::string& text);
 
 /// A text of the other half's first rank to every rank of this half. The other
-/// half sends it with sendText() to World::peers()[0].
-std::string receiveFromPeers(int tag, const char* forWhat);
+/// half sends it with sendText() to World::remoteRanks()[0].
+std::string receiveFromOtherHalf(int tag, const char* forWhat);
 
 /// Fields of the state and of the answer.
 FieldSet stateFields(const BothTerms&);

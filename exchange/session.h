@@ -1,6 +1,6 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 /// \file session.h
-/// One coupled run from handshake to goodbye, seen from either half.
+/// One coupled run from handshake to close, seen from either half.
 ///
 /// Exchange k, at time t_k: the DEM half sends a state (send), the CFD half
 /// takes it in (next), maps it and answers (answer); the DEM half picks the
@@ -21,10 +21,10 @@ namespace clay {
 
 /// Seconds this rank spent in the exchange.
 struct Timing {
-  double exchange = 0;     ///< packing, sending, receiving, unpacking
-  double waiting = 0;      ///< idle, for the other half
-  long exchanges = 0;      ///< states sent or taken in
-  double bytesSent = 0;    ///< payload of this rank's messages
+  double exchange = 0;   ///< packing, sending, receiving, unpacking
+  double waiting = 0;    ///< idle, for the other half
+  long exchanges = 0;    ///< states sent or taken in
+  double bytesSent = 0;  ///< payload of this rank's messages
 };
 
 /// The DEM half's side. Collective over the half, except where stated.
@@ -34,7 +34,7 @@ class DemSession {
   explicit DemSession(const DemTerms& mine);
   ~DemSession();
 
-  const CfdTerms& peer() const;
+  const CfdTerms& remoteTerms() const;
   /// Fields the CFD half needs or this one brings: those and no others are sent.
   const FieldSet& sends() const;
   /// Fields of the answer.
@@ -59,7 +59,7 @@ class DemSession {
   /// Starts a further run after a state marked as last.
   void resume(const DemTerms& terms);
 
-  /// Says goodbye; the session is over.
+  /// Tells the other half that the coupled run is over.
   void close();
 
   /// The last figure that the CFD half has reported with an answer to this
@@ -87,7 +87,7 @@ class CfdSession {
   CfdSession(const CfdTerms& mine, const Box& rankBox);
   ~CfdSession();
 
-  const DemTerms& peer() const;
+  const DemTerms& remoteTerms() const;
   const FieldSet& receives() const;
   const FieldSet& sends() const;
 

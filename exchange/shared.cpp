@@ -36,12 +36,12 @@ void SharedParticles::swap(const std::vector<double>& values, int stride) {
       for (int c = 0; c < stride; ++c)
         p.out.push_back(values[static_cast<std::size_t>(i) * stride + c]);
     p.in.resize(n);
-    const int mate = world.mates()[static_cast<std::size_t>(rank)];
+    const int partner = world.localRanks()[static_cast<std::size_t>(rank)];
     MPI_Request request;
-    PMPI_Irecv(p.in.data(), static_cast<int>(n), MPI_DOUBLE, mate, wire::tagShared,
+    PMPI_Irecv(p.in.data(), static_cast<int>(n), MPI_DOUBLE, partner, wire::tagShared,
                world.whole(), &request);
     requests_.push_back(request);
-    PMPI_Isend(p.out.data(), static_cast<int>(n), MPI_DOUBLE, mate, wire::tagShared,
+    PMPI_Isend(p.out.data(), static_cast<int>(n), MPI_DOUBLE, partner, wire::tagShared,
                world.whole(), &request);
     requests_.push_back(request);
   }
@@ -63,8 +63,7 @@ void SharedParticles::sum(std::vector<double>& values, int stride) {
   const auto add = [&](const std::vector<int>& particles, const std::vector<double>& part) {
     const double* from = part.data();
     for (int i : particles)
-      for (int c = 0; c < stride; ++c)
-        values[static_cast<std::size_t>(i) * stride + c] += *from++;
+      for (int c = 0; c < stride; ++c) values[static_cast<std::size_t>(i) * stride + c] += *from++;
   };
   bool mineAdded = false;
   for (const auto& [rank, p] : partners_) {

@@ -27,8 +27,6 @@ constexpr double savingGrace = 5.0;    // until the other half has saved
 
 struct State {
   Stage stage = Stage::uncoupled;
-  bool halfKnown = false;
-  Half half = Half::dem;
   bool watching = false, mayFinalize = false;
   std::atomic<bool> ending{false};
   std::function<void(const std::string&)> save;
@@ -61,33 +59,33 @@ bool mpiRuns() {
   return started && !over;
 }
 
-bool twoPrograms() {
-  return mpiRuns() && World::instance().ready() && World::instance().programs() == 2;
+bool coupledRun() {
+  return mpiRuns() && World::instance().ready() && World::instance().hasOtherHalf();
 }
 
-// Takes a farewell in, if there is one
-bool takeFarewell(std::string& reason) {
+// Receives a message of shutdown, if there is one
+bool receiveShutdown(std::string& reason) {
   MPI_Comm whole = World::instance().whole();
   int there = 0;
   MPI_Status status;
-  PMPI_Iprobe(MPI_ANY_SOURCE, wire::tagFarewell, whole, &there, &status);
+  PMPI_Iprobe(MPI_ANY_SOURCE, wire::tagShutdown, whole, &there, &status);
   if (!there) return false;
   int length = 0;
   PMPI_Get_count(&status, MPI_CHAR, &length);
   reason.assign(static_cast<std::size_t>(length), ' ');
-  PMPI_Recv(&reason[0], length, MPI_CHAR, status.MPI_SOURCE, wire::tagFarewell, whole,
+  PMPI_Recv(&reason[0], length, MPI_CHAR, status.MPI_SOURCE, wire::tagShutdown, whole,
             MPI_STATUS_IGNORE);
   return true;
 }
 
 // Tells every rank of the other half why this half ends, and waits until the
 // other half ends both, or until it had time enough.
-void tellPeers(const std::string& reason) {
+void tellOtherHalf(const std::string& reason) {
   const auto& world = World::instance();
-  std::vector<MPI_Request> requests(world.peers().size());
+  std::vector<MPI_Request> requests(world.remoteRanks().size());
   for (std::size_t i = 0; i < requests.size(); ++i)
-    PMPI_Issend(reason.data(), static_cast<int>(reason.size()), MPI_CHAR, world.peers()[i],
-                wire::tagFarewell, world.whole(), &requests[i]);
+    PMPI_Issend(reason.data(), static_cast<int>(reason.size()), MPI_CHAR, world.remoteRanks()[i],
+                wire::tagShutdown, world.whole(), &requests[i]);
   const Deadline delivery(deliveryGrace), saving(deliveryGrace + savingGrace);
   int delivered = 0;
   std::string theirs;
@@ -95,7 +93,7 @@ void tellPeers(const std::string& reason) {
     PMPI_Testall(static_cast<int>(requests.size()), requests.data(), &delivered,
                  MPI_STATUSES_IGNORE);
     // both halves may end at the same time
-    if (takeFarewell(theirs)) return;
+    if (receiveShutdown(theirs)) return;
     if (!delivered && delivery.over() && world.rank() == 0) return;
     nap();
   }
@@ -113,8 +111,8 @@ void say(const std::string& line) {
   const auto& world = World::instance();
   auto& s = state();
   if (world.rank() == 0) {
-    const char* other = !s.halfKnown ? "other" : s.half == Half::dem ? "CFD" : "DEM";
-    say(std::string("stopped: the ") + other + " half ended: " + reason);
+    const Half other = world.which() == Half::dem ? Half::cfd : Half::dem;
+    say(std::string("stopped: the ") + name(other) + " half ended: " + reason);
   }
   const bool saves = static_cast<bool>(s.save);
   const Deadline deadline(saves ? savingGrace : 1.0);
@@ -142,10 +140,10 @@ void say(const std::string& line) {
     }
   } else {
     MPI_Request request;
-    PMPI_Isend(&done, 1, MPI_CHAR, world.mates()[0], wire::tagSaved, world.whole(), &request);
-    const Deadline patience(deliveryGrace + savingGrace);
+    PMPI_Isend(&done, 1, MPI_CHAR, world.localRanks()[0], wire::tagSaved, world.whole(), &request);
+    const Deadline limit(deliveryGrace + savingGrace);
     int sent = 0;
-    while (!patience.over()) {
+    while (!limit.over()) {
       if (!sent) PMPI_Test(&request, &sent, MPI_STATUS_IGNORE);
       nap();
     }
@@ -155,12 +153,12 @@ void say(const std::string& line) {
 
 // Before this half ends both: the other half is told, or, when it knows already
 // that the run is over, may come to its own end
-void partFrom(const std::string& reason) {
-  if (!twoPrograms()) return;
-  if (state().stage == Stage::parted)
+void tellAndWait(const std::string& reason) {
+  if (!coupledRun()) return;
+  if (state().stage == Stage::closed)
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
   else
-    tellPeers(reason);
+    tellOtherHalf(reason);
 }
 
 // When many ranks of a half fail at the same time, the first one speaks for all
@@ -171,32 +169,31 @@ bool firstRankSpeaks() {
   const int tag = wire::tagSpeaks;
   if (world.rank() == 0) {
     static char word = 0;
-    static std::vector<MPI_Request> requests(world.mates().size());
+    static std::vector<MPI_Request> requests(world.localRanks().size());
     for (std::size_t r = 1; r < requests.size(); ++r)
-      PMPI_Isend(&word, 1, MPI_CHAR, world.mates()[r], tag, world.whole(), &requests[r]);
+      PMPI_Isend(&word, 1, MPI_CHAR, world.localRanks()[r], tag, world.whole(), &requests[r]);
     return false;
   }
   int speaks = 0;
-  for (const Deadline patience(0.2); !speaks && !patience.over(); nap())
-    PMPI_Iprobe(world.mates()[0], tag, world.whole(), &speaks, MPI_STATUS_IGNORE);
-  for (const Deadline patience(deliveryGrace + savingGrace); speaks && !patience.over();) nap();
+  for (const Deadline limit(0.2); !speaks && !limit.over(); nap())
+    PMPI_Iprobe(world.localRanks()[0], tag, world.whole(), &speaks, MPI_STATUS_IGNORE);
+  for (const Deadline limit(deliveryGrace + savingGrace); speaks && !limit.over();) nap();
   return speaks != 0;
 }
 
 std::string tooEarly() {
-  return programName() + (state().stage == Stage::uncoupled
-                              ? " ended without ever coupling"
-                              : " ended before the coupled run did");
+  return programName() + (state().stage == Stage::uncoupled ? " ended without ever coupling"
+                                                            : " ended before the coupled run did");
 }
 
 void atExit() {
   auto& s = state();
   if (s.ending || !mpiRuns()) return;
-  if (twoPrograms() && s.stage != Stage::parted) {
+  if (coupledRun() && s.stage != Stage::closed) {
     s.ending = true;
     const std::string reason = tooEarly();
     if (World::instance().rank() == 0) say(reason);
-    tellPeers(reason);
+    tellOtherHalf(reason);
     endAll(1);
   }
   if (s.mayFinalize) {
@@ -235,19 +232,12 @@ void setStage(Stage stage) { state().stage = stage; }
 
 Stage stage() { return state().stage; }
 
-void setHalf(Half half) {
-  state().half = half;
-  state().halfKnown = true;
-}
+void onShutdown(std::function<void(const std::string&)> save) { state().save = std::move(save); }
 
-void onFarewell(std::function<void(const std::string&)> save) {
-  state().save = std::move(save);
-}
-
-void checkFarewell() {
-  if (state().ending || !twoPrograms()) return;
+void checkShutdown() {
+  if (state().ending || !coupledRun()) return;
   std::string reason;
-  if (!takeFarewell(reason)) return;
+  if (!receiveShutdown(reason)) return;
   state().ending = true;
   follow(reason);
 }
@@ -255,30 +245,30 @@ void checkFarewell() {
 void beforeFinalize() {
   auto& s = state();
   if (s.ending) endAll(1);
-  if (!twoPrograms() || s.stage == Stage::parted) return;
+  if (!coupledRun() || s.stage == Stage::closed) return;
   s.ending = true;
   if (World::instance().rank() == 0) {
     const std::string reason = tooEarly();
     say(reason);
-    tellPeers(reason);
+    tellOtherHalf(reason);
   } else {
     // the first rank speaks for this half and ends it
-    const Deadline patience(deliveryGrace + savingGrace);
-    while (!patience.over()) nap();
+    const Deadline limit(deliveryGrace + savingGrace);
+    while (!limit.over()) nap();
   }
   endAll(1);
 }
 
 void abortBoth(int code) {
   if (!state().ending.exchange(true))
-    partFrom(programName() + " called MPI_Abort with code " + std::to_string(code));
+    tellAndWait(programName() + " called MPI_Abort with code " + std::to_string(code));
   endAll(code);
 }
 
 void abandon(const std::string& reason) {
   if (!state().ending.exchange(true) && !firstRankSpeaks()) {
     say(reason);
-    partFrom(reason);
+    tellAndWait(reason);
   }
   endAll(1);
 }
@@ -289,7 +279,7 @@ void watchExit(bool mayFinalize) {
   if (s.watching) return;
   s.watching = true;
   std::atexit(atExit);
-  if (World::instance().programs() == 2) std::set_terminate(onTerminate);
+  if (World::instance().hasOtherHalf()) std::set_terminate(onTerminate);
 }
 
 }  // namespace clay

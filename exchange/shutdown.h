@@ -14,19 +14,16 @@ namespace clay {
 enum class Stage {
   uncoupled,  ///< no handshake yet
   coupled,    ///< a session is open
-  parted      ///< goodbye was said, or both halves refused: each ends by itself
+  closed      ///< the run is over, or both halves refused it: each ends by itself
 };
 
 void setStage(Stage stage);
 Stage stage();
 
-/// Which half this program is; known once it opens a session.
-void setHalf(Half half);
+/// Ends this process (as the other half asks) when a message of shutdown has come in.
+void checkShutdown();
 
-/// Ends this process (as the other half asks) when a farewell has come in.
-void checkFarewell();
-
-/// Called ahead of MPI_Finalize: ends both halves unless the run was parted.
+/// Called ahead of MPI_Finalize: ends both halves unless the run is over.
 void beforeFinalize();
 
 /// Called instead of MPI_Abort.

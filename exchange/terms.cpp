@@ -31,9 +31,7 @@ Box box(const Json& j) {
   return b;
 }
 
-FieldSet fields(const Json& j) {
-  return FieldSet::fromNames(j.get<std::vector<std::string>>());
-}
+FieldSet fields(const Json& j) { return FieldSet::fromNames(j.get<std::vector<std::string>>()); }
 
 // Text of the given half, or a Refusal
 Json parse(const std::string& s, const std::string& half, const std::string& other) {
@@ -56,8 +54,7 @@ Terms decode(const std::string& s, const char* half, const char* other, Read rea
     // what another version of the wire holds is not known
     if (t.wire == wireVersion) read(j, t);
   } catch (const std::exception& e) {
-    throw Refusal(std::string("the terms of the ") + half +
-                  " half cannot be read: " + e.what());
+    throw Refusal(std::string("the terms of the ") + half + " half cannot be read: " + e.what());
   }
   return t;
 }

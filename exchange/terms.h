@@ -25,7 +25,7 @@ class Refusal : public std::runtime_error {
 
 /// What the DEM half states at the start of each run.
 struct DemTerms {
-  std::string program;              ///< name and version of the program
+  std::string program;  ///< name and version of the program
   int wire = wireVersion;
   double step = 0;                  ///< DEM time step [s]
   long interval = 0;                ///< DEM steps between two exchanges
@@ -37,9 +37,9 @@ struct DemTerms {
   long particles = 0;               ///< number of particles in the coupled group
   double maxRadius = 0;             ///< [m]
   FieldSet offers;                  ///< fields it can send
-  FieldSet brings;                  ///< fields it sends though they are not needed; its settings ask for them
-  FieldSet needs;                   ///< fields it must get
-  std::string clumpDrag;            ///< how the drag of clumps is found; empty without clumps
+  FieldSet brings;        ///< fields it sends though they are not needed; its settings ask for them
+  FieldSet needs;         ///< fields it must get
+  std::string clumpDrag;  ///< how the drag of clumps is found; empty without clumps
 };
 
 /// What the CFD half states.

@@ -5,6 +5,8 @@
 
 using clay::Field;
 
+const clay::Half clay::programHalf = clay::Half::cfd;
+
 namespace {
 
 struct Holders {
@@ -17,7 +19,7 @@ struct Holders {
 Holders holders(const double* x, double r, int ranks) {
   Holders h;
   for (int rank = 0; rank < ranks; ++rank) {
-    const clay::Box box = peers::slab(rank, ranks);
+    const clay::Box box = halves::slab(rank, ranks);
     if (!box.reaches(x, r)) continue;
     ++h.count;
     h.sum += 0.1 * (rank + 1);
@@ -32,10 +34,11 @@ void step(clay::CfdSession& session, const clay::Particles& p, int k, bool lost)
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   const int n = p.size();
-  peers::expect(std::fabs(session.time() - peers::timeOf(k)) < 1e-12, "the state's time");
-  const double interval = k == 0 ? 0 : peers::timeOf(1);
-  peers::expect(std::fabs(session.interval() - interval) < 1e-12, "the state's interval");
-  peers::expect(session.last() == (k % peers::exchanges == peers::exchanges - 1), "the last state");
+  halves::expect(std::fabs(session.time() - halves::timeOf(k)) < 1e-12, "the state's time");
+  const double interval = k == 0 ? 0 : halves::timeOf(1);
+  halves::expect(std::fabs(session.interval() - interval) < 1e-12, "the state's interval");
+  halves::expect(session.last() == (k % halves::exchanges == halves::exchanges - 1),
+                 "the last state");
 
   std::vector<double> sums(2 * static_cast<std::size_t>(n)), claims, same;
   for (int i = 0; i < n; ++i) {
@@ -48,24 +51,25 @@ void step(clay::CfdSession& session, const clay::Particles& p, int k, bool lost)
   for (int i = 0; i < n; ++i) {
     known.push_back(holders(p[Field::position] + 3 * i, p[Field::radius][i], ranks));
     const bool outside = p[Field::position][3 * i] > 1.1;
-    peers::expect(outside == (known[i].count == 0), "a particle comes where it touches");
-    peers::expect(!outside || lost, "particles lie inside the mesh");
+    halves::expect(outside == (known[i].count == 0), "a particle comes where it touches");
+    halves::expect(!outside || lost, "particles lie inside the mesh");
     claims.push_back(known[i].centre == rank ? 0 : 1e300);
     if (outside) continue;
-    peers::expect(sums[2 * i] == known[i].count, "number of holders");
-    peers::expect(sums[2 * i + 1] == known[i].sum, "sum over the holders, bit by bit");
+    halves::expect(sums[2 * i] == known[i].count, "number of holders");
+    halves::expect(sums[2 * i + 1] == known[i].sum, "sum over the holders, bit by bit");
   }
   const auto lowest = session.own(same);
   const auto owned = session.own(claims);
   long mine = 0, all = 0;
   for (int i = 0; i < n; ++i) {
     if (known[i].count > 0)
-      peers::expect(lowest[i] == (known[i].lowest == rank), "ties: the lowest");
-    peers::expect(owned[i] == (known[i].centre == rank), "the owner has the smallest claim");
+      halves::expect(lowest[i] == (known[i].lowest == rank), "ties: the lowest");
+    halves::expect(owned[i] == (known[i].centre == rank), "the owner has the smallest claim");
     mine += owned[i];
   }
   MPI_Allreduce(&mine, &all, 1, MPI_LONG, MPI_SUM, MPI_COMM_WORLD);
-  if (!lost) peers::expect(all == std::lround(session.impulse()[0]), "each particle is owned once");
+  if (!lost)
+    halves::expect(all == std::lround(session.impulse()[0]), "each particle is owned once");
 
   clay::Particles answers(session.sends());
   answers.resize(n);
@@ -85,40 +89,40 @@ int main(int argc, char** argv) {
   const std::string scenario = argv[1];
   const int ranks = argc > 2 ? std::atoi(argv[2]) : 1;
   clay::World::init(argc, argv);
-  peers::expectOwnWorld(ranks);
+  halves::expectOwnWorld(ranks);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (scenario.rfind("before:", 0) == 0) peers::dieAs(scenario.substr(7), "cfd");
-  clay::onFarewell([rank](const std::string& reason) {
+  if (scenario.rfind("before:", 0) == 0) halves::dieAs(scenario.substr(7), "cfd");
+  clay::onShutdown([rank](const std::string& reason) {
     const char* slowness = std::getenv("TEST_SAVE_SECONDS");
     if (slowness) sleep(static_cast<unsigned>(std::atoi(slowness)));
     std::printf("CFD rank %d saved its state: %s\n", rank, reason.c_str());
   });
-  auto terms = peers::cfdTerms();
+  auto terms = halves::cfdTerms();
   terms.gravity = {{0, 0, -9.81}};
-  if (scenario == "refused") terms.endTime = peers::demTerms().endTime;
+  if (scenario == "refused") terms.endTime = halves::demTerms().endTime;
   int status = 0, k = 0;
   try {
-    clay::CfdSession session(terms, peers::slab(rank, ranks));
+    clay::CfdSession session(terms, halves::slab(rank, ranks));
     clay::Particles particles;
     for (bool open = true; open;) {
       switch (session.next(particles)) {
         case clay::CfdSession::Event::state:
-          if (k == 3) peers::dieAs(scenario, "cfd");
-          if (k == 3 && rank == 0) peers::dieAs(scenario, "cfd0");
+          if (k == 3) halves::dieAs(scenario, "cfd");
+          if (k == 3 && rank == 0) halves::dieAs(scenario, "cfd0");
           step(session, particles, k++, scenario == "lost");
           break;
         case clay::CfdSession::Event::resumed:
-          peers::expect(k == peers::exchanges, "a further run after the last state");
-          peers::expect(session.peer().endTime == peers::timeOf(2 * peers::exchanges - 1),
-                        "the further run's end");
+          halves::expect(k == halves::exchanges, "a further run after the last state");
+          halves::expect(session.remoteTerms().endTime == halves::timeOf(2 * halves::exchanges - 1),
+                         "the further run's end");
           break;
         case clay::CfdSession::Event::closed:
           open = false;
       }
     }
     session.close();
-    peers::expect(session.timing().exchanges == k, "exchanges are counted");
+    halves::expect(session.timing().exchanges == k, "exchanges are counted");
     std::printf("CFD half done after %d exchanges\n", k);
   } catch (const clay::Refusal& e) {
     std::fprintf(stderr, "CFD half: %s\n", e.what());

@@ -7,6 +7,8 @@
 
 using clay::Field;
 
+const clay::Half clay::programHalf = clay::Half::dem;
+
 namespace {
 
 // Particles of this rank at exchange k; none on rank 1, all in one corner at k = 2
@@ -17,7 +19,7 @@ void fill(clay::Particles& p, int rank, int k) {
   p.resize(n);
   for (int i = 0; i < n; ++i) {
     for (int c = 0; c < 3; ++c) {
-      p[Field::position][3 * i + c] = peers::size[c] * any(random) * (k == 2 ? 0.05 : 1);
+      p[Field::position][3 * i + c] = halves::size[c] * any(random) * (k == 2 ? 0.05 : 1);
       p[Field::velocity][3 * i + c] = any(random);
       p[Field::impulse][3 * i + c] = any(random);
     }
@@ -30,29 +32,29 @@ void fill(clay::Particles& p, int rank, int k) {
 }
 
 void check(const clay::Particles& p, const clay::Particles& answer, int k) {
-  peers::expect(answer.size() == p.size(), "an answer for every particle");
+  halves::expect(answer.size() == p.size(), "an answer for every particle");
   for (int i = 0; i < p.size(); ++i) {
     const double tag = p[Field::tag][i];
-    peers::expect(answer[Field::dragCoefficient][i] == 3 * tag, "answers in order");
+    halves::expect(answer[Field::dragCoefficient][i] == 3 * tag, "answers in order");
     for (int c = 0; c < 3; ++c)
-      peers::expect(answer[Field::fluidVelocity][3 * i + c] ==
-                        2 * p[Field::position][3 * i + c] + p[Field::velocity][3 * i + c],
-                    "the answer's vector in order");
-    peers::expect(answer[Field::force][3 * i] == k, "the answer of this exchange");
+      halves::expect(answer[Field::fluidVelocity][3 * i + c] ==
+                         2 * p[Field::position][3 * i + c] + p[Field::velocity][3 * i + c],
+                     "the answer's vector in order");
+    halves::expect(answer[Field::force][3 * i] == k, "the answer of this exchange");
   }
 }
 
 void run(clay::DemSession& session, const std::string& scenario, int first) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  clay::FieldSet all = peers::demTerms().offers;
+  clay::FieldSet all = halves::demTerms().offers;
   clay::Particles particles(all), answer;
-  for (int k = first; k < first + peers::exchanges; ++k) {
-    if (k == 3) peers::dieAs(scenario, "dem");
-    if (k == 3 && rank == 0) peers::dieAs(scenario, "dem0");
+  for (int k = first; k < first + halves::exchanges; ++k) {
+    if (k == 3) halves::dieAs(scenario, "dem");
+    if (k == 3 && rank == 0) halves::dieAs(scenario, "dem0");
     fill(particles, rank, k);
     if (scenario == "lost" && k == 3 && rank == 0) particles[Field::position][3 * 17] = 1.5;
-    session.send(particles, peers::timeOf(k), k == first + peers::exchanges - 1,
+    session.send(particles, halves::timeOf(k), k == first + halves::exchanges - 1,
                  {double(particles.size()), double(k), double(rank)});
     if (k % 2)
       while (!session.answered()) usleep(50);
@@ -68,27 +70,28 @@ int main(int argc, char** argv) {
   const std::string scenario = argv[1];
   const int ranks = argc > 2 ? std::atoi(argv[2]) : 1;
   MPI_Init(&argc, &argv);
-  peers::expectOwnWorld(ranks);
-  if (scenario.rfind("before:", 0) == 0) peers::dieAs(scenario.substr(7), "dem");
-  auto terms = peers::demTerms();
+  halves::expectOwnWorld(ranks);
+  if (scenario.rfind("before:", 0) == 0) halves::dieAs(scenario.substr(7), "dem");
+  auto terms = halves::demTerms();
   if (scenario == "refused") terms.endTime += 1;
   int status = 0;
   try {
     clay::DemSession session(terms);
-    peers::expect(session.sends() == peers::stateFields(), "needed fields and no others are sent");
-    peers::expect(session.receives() == peers::cfdTerms().offers, "the force is received");
+    halves::expect(session.sends() == halves::stateFields(),
+                   "needed fields and no others are sent");
+    halves::expect(session.receives() == halves::cfdTerms().offers, "the force is received");
     run(session, scenario, 0);
     if (scenario == "resume" || scenario == "resumeRefused") {
       terms.startTime = terms.endTime;
-      terms.endTime = peers::timeOf(2 * peers::exchanges - 1);
+      terms.endTime = halves::timeOf(2 * halves::exchanges - 1);
       if (scenario == "resumeRefused") terms.gravity = {0, 0, -1};
       session.resume(terms);
-      run(session, scenario, peers::exchanges);
+      run(session, scenario, halves::exchanges);
     }
-    if (scenario != "noGoodbye") session.close();
-    peers::expect(session.timing().exchanges >= peers::exchanges, "exchanges are counted");
-    peers::expect(session.timing().exchange > 0 && session.timing().bytesSent > 0,
-                  "time and bytes are counted");
+    if (scenario != "noClose") session.close();
+    halves::expect(session.timing().exchanges >= halves::exchanges, "exchanges are counted");
+    halves::expect(session.timing().exchange > 0 && session.timing().bytesSent > 0,
+                   "time and bytes are counted");
     std::printf("DEM half done after %ld exchanges\n", session.timing().exchanges);
   } catch (const clay::Refusal& e) {
     std::fprintf(stderr, "DEM half: %s\n", e.what());

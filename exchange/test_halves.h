@@ -18,11 +18,11 @@
 
 #include "exchange/session.h"
 
-namespace peers {
+namespace halves {
 
-constexpr double step = 1e-5;      // [s]
-constexpr long interval = 20;      // steps
-constexpr int exchanges = 6;       // in each run
+constexpr double step = 1e-5;              // [s]
+constexpr long interval = 20;              // steps
+constexpr int exchanges = 6;               // in each run
 constexpr double size[3] = {1, 0.5, 0.5};  // of the mesh [m]
 
 inline double timeOf(int exchange) { return exchange * interval * step; }
@@ -119,4 +119,4 @@ inline void expectOwnWorld(int ranks) {
   expect(there != 0, "MPI_COMM_WORLD keeps its upper bound of tags");
 }
 
-}  // namespace peers
+}  // namespace halves

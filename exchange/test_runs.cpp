@@ -30,15 +30,18 @@ Outcome shell(const std::string& command) {
   return o;
 }
 
+std::string part(const char* program, int ranks, const std::string& arguments) {
+  return "-np " + std::to_string(ranks) + " " + program + " " + arguments;
+}
+
 std::string part(const char* program, const std::string& scenario, int ranks) {
-  return "-np " + std::to_string(ranks) + " " + program + " " + scenario + " " +
-         std::to_string(ranks);
+  return part(program, ranks, scenario + " " + std::to_string(ranks));
 }
 
 Outcome run(const std::string& scenario, int dem = 1, int cfd = 1,
             const std::string& settings = "") {
-  return shell("env " + settings + " " + MPIRUN + " " + part(DEM_PEER, scenario, dem) + " : " +
-               part(CFD_PEER, scenario, cfd));
+  return shell("env " + settings + " " + MPIRUN + " " + part(DEM_HALF, scenario, dem) + " : " +
+               part(CFD_HALF, scenario, cfd));
 }
 
 void expectDone(const Outcome& o, int dem, int cfd) {
@@ -68,9 +71,22 @@ TEST(Echo, TwoAndThree) { expectDone(run("echo", 2, 3), 2, 3); }
 TEST(Echo, ThreeAndOne) { expectDone(run("echo", 3, 1), 3, 1); }
 
 TEST(Echo, TheCfdHalfMayHoldTheLowRanks) {
-  expectDone(shell(std::string(MPIRUN) + " " + part(CFD_PEER, "echo", 2) + " : " +
-                   part(DEM_PEER, "echo", 2)),
+  expectDone(shell(std::string(MPIRUN) + " " + part(CFD_HALF, "echo", 2) + " : " +
+                   part(DEM_HALF, "echo", 2)),
              2, 2);
+}
+
+TEST(Echo, AHalfMayBeStartedInParts) {
+  expectDone(shell(std::string(MPIRUN) + " " + part(DEM_HALF, 1, "echo 2") + " : " +
+                   part(CFD_HALF, 2, "echo 2") + " : " + part(DEM_HALF, 1, "echo 2")),
+             2, 2);
+}
+
+// as with srun --multi-prog: the launcher knows of one program
+TEST(Echo, RanksMayChooseTheirProgram) {
+  const std::string choose = std::string("case $OMPI_COMM_WORLD_RANK in 1|3) exec ") + DEM_HALF +
+                             " echo 2;; *) exec " + CFD_HALF + " echo 3;; esac";
+  expectDone(shell(std::string(MPIRUN) + " -np 5 sh -c '" + choose + "'"), 2, 3);
 }
 
 TEST(Echo, AFurtherRunGoesOn) {
@@ -80,8 +96,8 @@ TEST(Echo, AFurtherRunGoesOn) {
 }
 
 TEST(Echo, OfHostsThatSplitTheWorldThemselves) {
-  const Outcome o = shell(std::string(MPIRUN) + " -np 2 " + ADOPT_PEER + " dem : -np 3 " +
-                          ADOPT_PEER + " cfd");
+  const Outcome o = shell(std::string(MPIRUN) + " -np 2 " + ADOPT_HALF + " dem 0 : -np 3 " +
+                          ADOPT_HALF + " cfd 1");
   EXPECT_EQ(o.code, 0) << o.text;
   EXPECT_TRUE(o.says("5 ranks are done")) << o.text;
 }
@@ -101,24 +117,33 @@ TEST(Refused, AFurtherRunAsWell) {
 }
 
 TEST(Refused, AHalfStartedAlone) {
-  for (const char* program : {DEM_PEER, CFD_PEER})
-    expectEnd(shell(std::string(MPIRUN) + " " + part(program, "echo", 2)), "started alone");
+  expectEnd(shell(std::string(MPIRUN) + " " + part(DEM_HALF, "echo", 2)),
+            "DEM half: started alone, no CFD half is in this mpirun");
+  expectEnd(shell(std::string(MPIRUN) + " " + part(CFD_HALF, "echo", 2)),
+            "CFD half: started alone, no DEM half is in this mpirun");
 }
 
 TEST(Refused, AHalfStartedWithoutMpirun) {
-  expectEnd(shell(std::string(CFD_PEER) + " echo 1"), "started alone");
+  expectEnd(shell(std::string(CFD_HALF) + " echo 1"), "CFD half: started alone");
+}
+
+TEST(Refused, OneHalfInTwoParts) {
+  expectEnd(shell(std::string(MPIRUN) + " " + part(DEM_HALF, 1, "echo 2") + " : " +
+                  part(DEM_HALF, 1, "echo 2")),
+            "DEM half: started alone, no CFD half is in this mpirun");
 }
 
 TEST(Refused, TwoHalvesOfOneKind) {
-  expectEnd(shell(std::string(MPIRUN) + " " + part(DEM_PEER, "echo", 1) + " : " +
-                  part(DEM_PEER, "echo", 1)),
+  // hosts that split the world themselves: the wrappers would make one half of them
+  expectEnd(shell(std::string(MPIRUN) + " " + part(ADOPT_HALF, 1, "dem 0") + " : " +
+                  part(ADOPT_HALF, 1, "dem 1")),
             "both programs of this mpirun are DEM halves");
 }
 
-TEST(Refused, ThreePrograms) {
-  expectEnd(shell(std::string(MPIRUN) + " " + part(DEM_PEER, "echo", 1) + " : " +
-                  part(CFD_PEER, "echo", 1) + " : " + part(CFD_PEER, "echo", 1)),
-            "this mpirun starts 3 programs; a coupled run has two");
+TEST(Refused, ASessionOfTheOtherHalf) {
+  expectEnd(shell(std::string(MPIRUN) + " " + part(ADOPT_HALF, 1, "dem 0 cfd") + " : " +
+                  part(ADOPT_HALF, 1, "cfd 1")),
+            "a session of the DEM half in a program of the CFD half");
 }
 
 TEST(Ends, WhenTheDemHalfExitsWithoutAnError) {
@@ -142,8 +167,8 @@ TEST(Ends, WhenTheDemHalfEndsAsLiggghtsDoesOnErrors) {
 TEST(Ends, WhenTheDemHalfFinalizesEarly) {
   expectEnd(run("dem:finalize", 1, 1), cfdStops + "test_dem_half ended before the coupled run did");
 }
-TEST(Ends, WhenTheDemHalfSaysNoGoodbye) {
-  const Outcome o = run("noGoodbye", 1, 1);
+TEST(Ends, WhenTheDemHalfDoesNotClose) {
+  const Outcome o = run("noClose", 1, 1);
   EXPECT_NE(o.code, 0) << o.text;
   EXPECT_LT(o.seconds, 10);
   EXPECT_TRUE(o.says(cfdStops + "test_dem_half ended before the coupled run did")) << o.text;
@@ -160,10 +185,8 @@ TEST(Ends, WhenAHalfAborts) {
   expectEnd(run("dem0:abort", 2, 1), cfdStops + "test_dem_half called MPI_Abort with code 7");
 }
 TEST(Ends, WhenAHalfThrows) {
-  expectEnd(run("dem:throw", 1, 1),
-            cfdStops + "ended by an uncaught exception: no more cheese");
-  expectEnd(run("cfd0:throw", 1, 2),
-            demStops + "ended by an uncaught exception: no more cheese");
+  expectEnd(run("dem:throw", 1, 1), cfdStops + "ended by an uncaught exception: no more cheese");
+  expectEnd(run("cfd0:throw", 1, 2), demStops + "ended by an uncaught exception: no more cheese");
 }
 TEST(Ends, WhenAHalfAbandonsTheRun) {
   const Outcome o = run("cfd0:abandon", 2, 2);
@@ -180,7 +203,7 @@ TEST(Ends, WhenAHalfIsKilled) {
   expectEnd(run("dem0:kill", 2, 2), "signal 9");
   expectEnd(run("cfd:kill", 1, 1), "signal 9");
 }
-TEST(Ends, WhenAHalfLeavesWithoutAWord) { 
+TEST(Ends, WhenAHalfLeavesWithoutAWord) {
   expectEnd(run("dem:_exit0", 1, 1), "exiting improperly");
 }
 

@@ -81,7 +81,8 @@ TEST(Packing, TakesWhatIsOwnedFromFirstOn) {
     const std::vector<char> owned{0, 1, static_cast<char>(all), 1, 0};
     std::vector<double> message(100, 7.0);
     packAnswers(answers, owned, set, 1, 3, 2, message);
-    const std::vector<double> places = all ? std::vector<double>{0, 1, 2} : std::vector<double>{0, 2};
+    const std::vector<double> places =
+        all ? std::vector<double>{0, 1, 2} : std::vector<double>{0, 2};
     ASSERT_EQ(message.size(), places.size() * 5 + 2);
     const double* m = message.data();
     for (const double i : places) EXPECT_EQ(*m++, i);
@@ -101,7 +102,7 @@ TEST(Packing, TakesWhatIsOwnedFromFirstOn) {
 }
 
 TEST(BoxTest, IsReachedBySpheresThatTouchIt) {
-  const clay::Box box = peers::meshBox();
+  const clay::Box box = halves::meshBox();
   const double inside[] = {0.5, 0.2, 0.2}, beside[] = {1.1, 0.2, 0.2};
   EXPECT_TRUE(box.reaches(inside, 0.01));
   EXPECT_FALSE(box.reaches(beside, 0.09));
@@ -110,7 +111,7 @@ TEST(BoxTest, IsReachedBySpheresThatTouchIt) {
 }
 
 TEST(Routes, GoToEveryBoxThatIsTouchedOrToTheNearest) {
-  clay::Routing routing({peers::slab(0, 2), clay::Box(), peers::slab(1, 2)});
+  clay::Routing routing({halves::slab(0, 2), clay::Box(), halves::slab(1, 2)});
   const double x[] = {0.1, 0.2, 0.2, /**/ 0.495, 0.2, 0.2, /**/ 3, 0.2, 0.2};
   const double r[] = {0.01, 0.01, 0.01};
   for (int again = 0; again < 2; ++again) {
@@ -126,7 +127,7 @@ TEST(Routes, GoToEveryBoxThatIsTouchedOrToTheNearest) {
 }
 
 TEST(Text, BringsTheDemTermsBackBitByBit) {
-  DemTerms t = peers::demTerms();
+  DemTerms t = halves::demTerms();
   t.program = "a \"quoted\" name \xff";
   t.step = 1. / 3e5;
   t.endTime = 0.1 + 0.2;
@@ -150,7 +151,7 @@ TEST(Text, BringsTheDemTermsBackBitByBit) {
 }
 
 TEST(Text, BringsTheCfdTermsBackWithWhatIsNotStated) {
-  CfdTerms t = peers::cfdTerms();
+  CfdTerms t = halves::cfdTerms();
   t.gravity = {{0, 0, -9.81}};
   t.overlap = false;
   t.accepts = {Field::dragDiameter, Field::dragFactor};
@@ -172,25 +173,26 @@ TEST(Text, BringsTheCfdTermsBackWithWhatIsNotStated) {
 }
 
 TEST(Text, OfTheWrongHalfOrOfNoHalfIsRefused) {
-  EXPECT_THROW(clay::decodeDem(clay::encode(peers::cfdTerms())), clay::Refusal);
-  EXPECT_THROW(clay::decodeCfd(clay::encode(peers::demTerms())), clay::Refusal);
+  EXPECT_THROW(clay::decodeDem(clay::encode(halves::cfdTerms())), clay::Refusal);
+  EXPECT_THROW(clay::decodeCfd(clay::encode(halves::demTerms())), clay::Refusal);
   EXPECT_THROW(clay::decodeDem("hello"), clay::Refusal);
-  EXPECT_THROW(clay::decodeDem("{\"half\":\"DEM\",\"wire\":" +
-                               std::to_string(clay::wireVersion) + "}"), clay::Refusal);
+  EXPECT_THROW(
+      clay::decodeDem("{\"half\":\"DEM\",\"wire\":" + std::to_string(clay::wireVersion) + "}"),
+      clay::Refusal);
 }
 
 TEST(Text, KeepsAValueThatIsNoNumber) {
-  DemTerms t = peers::demTerms();
+  DemTerms t = halves::demTerms();
   t.step = std::nan("");
   EXPECT_TRUE(std::isnan(clay::decodeDem(clay::encode(t)).step));
-  EXPECT_TRUE(says(clay::disagreement(t, peers::cfdTerms()), "time step"));
+  EXPECT_TRUE(says(clay::disagreement(t, halves::cfdTerms()), "time step"));
 }
 
 // A pair of terms that fits, one of which each test spoils
 class Agreement : public testing::Test {
  protected:
-  DemTerms dem = peers::demTerms();
-  CfdTerms cfd = peers::cfdTerms();
+  DemTerms dem = halves::demTerms();
+  CfdTerms cfd = halves::cfdTerms();
   std::string line() const { return clay::disagreement(dem, cfd); }
 };
 
@@ -206,7 +208,8 @@ TEST_F(Agreement, Fits) {
 TEST_F(Agreement, OfVersions) {
   cfd.wire = clay::wireVersion + 1;
   EXPECT_TRUE(says(line(), std::to_string(clay::wireVersion) + " in the DEM half (test DEM), " +
-                               std::to_string(clay::wireVersion + 1) + " in the CFD half (test CFD)"));
+                               std::to_string(clay::wireVersion + 1) +
+                               " in the CFD half (test CFD)"));
   EXPECT_TRUE(says(clay::disagreement(dem, clay::decodeCfd(clay::encode(cfd))), "versions"));
 }
 
@@ -217,14 +220,15 @@ TEST_F(Agreement, OfStartTimes) {
 
 TEST_F(Agreement, OfEndTimes) {
   cfd.endTime = dem.endTime + 0.6 * dem.step;
-  EXPECT_TRUE(says(line(),
-                   "end times differ: 0.001 s in the DEM half, 0.001006 s in the CFD half"));
+  EXPECT_TRUE(
+      says(line(), "end times differ: 0.001 s in the DEM half, 0.001006 s in the CFD half"));
 }
 
 TEST_F(Agreement, OfIntervals) {
   cfd.couplingInterval = 1e-4;
-  EXPECT_TRUE(says(line(), "coupling intervals differ: 0.0002 s (20 steps of 1e-05 s) in the "
-                           "DEM half, 0.0001 s in the CFD half"));
+  EXPECT_TRUE(says(line(),
+                   "coupling intervals differ: 0.0002 s (20 steps of 1e-05 s) in the "
+                   "DEM half, 0.0001 s in the CFD half"));
 }
 
 TEST_F(Agreement, OfGravities) {
@@ -239,8 +243,9 @@ TEST_F(Agreement, OfGravities) {
 TEST_F(Agreement, OfPlaces) {
   for (double& x : cfd.box.lo) x += 5;
   for (double& x : cfd.box.hi) x += 5;
-  EXPECT_TRUE(says(line(), "the DEM box (0 0 0) to (1 0.5 0.5) m and the mesh (5 5 5) to "
-                           "(6 5.5 5.5) m do not overlap"));
+  EXPECT_TRUE(says(line(),
+                   "the DEM box (0 0 0) to (1 0.5 0.5) m and the mesh (5 5 5) to "
+                   "(6 5.5 5.5) m do not overlap"));
   EXPECT_EQ(line().find("millimetres"), std::string::npos);
 }
 
@@ -262,10 +267,10 @@ TEST_F(Agreement, OfFields) {
   dem.offers = dem.offers.without({Field::impulse, Field::mass});
   cfd.needs.add(Field::mass);
   EXPECT_TRUE(says(line(), "the CFD half needs impulse, mass, the DEM half offers only position"));
-  cfd = peers::cfdTerms();
+  cfd = halves::cfdTerms();
   cfd.offers = {Field::dragCoefficient};
-  EXPECT_TRUE(says(line(),
-                   "the DEM half needs fluidVelocity, the CFD half offers only dragCoefficient"));
+  EXPECT_TRUE(
+      says(line(), "the DEM half needs fluidVelocity, the CFD half offers only dragCoefficient"));
 }
 
 TEST_F(Agreement, OfFieldsThatAreBrought) {
@@ -284,19 +289,19 @@ TEST_F(Agreement, OfFieldsThatAreBrought) {
 TEST_F(Agreement, NeedsSoundNumbers) {
   dem.interval = 0;
   EXPECT_TRUE(says(line(), "coupling interval is 0 steps; it must be 1 or more"));
-  dem = peers::demTerms();
+  dem = halves::demTerms();
   dem.step = -1;
   EXPECT_TRUE(says(line(), "time step is -1 s; it must be above 0"));
-  dem = peers::demTerms();
+  dem = halves::demTerms();
   dem.particles = 0;
   EXPECT_TRUE(says(line(), "holds 0 particles"));
-  dem = peers::demTerms();
+  dem = halves::demTerms();
   dem.endTime = -1;
   EXPECT_TRUE(says(line(), "ends at -1 s, before its start at 0 s"));
-  dem = peers::demTerms();
+  dem = halves::demTerms();
   cfd.fluidDensity = 0;
   EXPECT_TRUE(says(line(), "fluid density is 0 kg/m3; it must be above 0"));
-  cfd = peers::cfdTerms();
+  cfd = halves::cfdTerms();
   cfd.fluidViscosity = -1;
   EXPECT_TRUE(says(line(), "fluid viscosity is -1 Pa s"));
 }

@@ -14,6 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "exchange/world.h"
+
+const clay::Half clay::programHalf = clay::Half::dem;
+
 namespace {
 
 using Names = std::set<std::string>;

@@ -14,9 +14,9 @@ gtest_add_tests(TARGET test_terms TEST_PREFIX exchange. TEST_LIST terms_tests)
 set_tests_properties(${terms_tests} PROPERTIES TIMEOUT 20)
 
 # the two programs of the test runs
-foreach(peer test_dem_half test_cfd_half)
-  add_executable(${peer} ${peer}.cpp)
-  target_link_libraries(${peer} PRIVATE clay_world clay_exchange)
+foreach(half test_dem_half test_cfd_half)
+  add_executable(${half} ${half}.cpp)
+  target_link_libraries(${half} PRIVATE clay_world clay_exchange)
 endforeach()
 
 # a program that splits the world by itself has no wrappers
@@ -28,8 +28,8 @@ target_link_libraries(test_runs PRIVATE GTest::gtest_main)
 list(JOIN CLAYFOAM_MPI_ENVIRONMENT " " mpi_environment)
 target_compile_definitions(test_runs PRIVATE
   MPIRUN="env ${mpi_environment} ${MPIEXEC_EXECUTABLE}"
-  ADOPT_PEER="$<TARGET_FILE:test_adopt_half>"
-  DEM_PEER="$<TARGET_FILE:test_dem_half>" CFD_PEER="$<TARGET_FILE:test_cfd_half>")
+  ADOPT_HALF="$<TARGET_FILE:test_adopt_half>"
+  DEM_HALF="$<TARGET_FILE:test_dem_half>" CFD_HALF="$<TARGET_FILE:test_cfd_half>")
 add_dependencies(test_runs test_dem_half test_cfd_half test_adopt_half)
 gtest_add_tests(TARGET test_runs TEST_PREFIX exchange. TEST_LIST run_tests)
 set_tests_properties(${run_tests} PROPERTIES
@@ -56,6 +56,7 @@ add_test(NAME exchange.wrappers
 
 # the same test in a program without the wrappers must fail
 add_executable(test_no_wrappers test_wrappers.cpp)
+target_include_directories(test_no_wrappers PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(test_no_wrappers PRIVATE MPI::MPI_CXX GTest::gtest ${CMAKE_DL_LIBS})
 add_test(NAME exchange.wrappers_can_fail
   COMMAND test_no_wrappers ${CLAYFOAM_MPI_HEADER} ${host_libraries})

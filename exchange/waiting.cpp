@@ -81,20 +81,19 @@ void endOnSilence(double waited, const char* forWhat) {
   if (waited <= silenceLimit() + (World::instance().rank() == 0 ? 0 : 2)) return;
   char text[64];
   std::snprintf(text, sizeof text, "waited %.4g s for ", waited);
-  abandon(text + std::string(forWhat) +
-          "; CLAYFOAM_TIMEOUT (seconds) sets how long a half waits");
+  abandon(text + std::string(forWhat) + "; CLAYFOAM_TIMEOUT (seconds) sets how long a half waits");
 }
 
-Patience::Patience(const char* forWhat) : forWhat_(forWhat), start_(Clock::now()) {}
+Backoff::Backoff(const char* forWhat) : forWhat_(forWhat), start_(Clock::now()) {}
 
-double Patience::waited() const { return seconds(Clock::now() - start_); }
+double Backoff::waited() const { return seconds(Clock::now() - start_); }
 
-void Patience::pause() {
+void Backoff::pause() {
   const double time = waited();
   // On a crowded node the other half may need this core. A short sleep gives it
   // away and gets it back soon; a yield would come last after all other work.
   const bool spin = time < (oversubscribed() ? 0 : spinTime);
-  if (!spin || ++pauses_ % 16 == 0) checkFarewell();
+  if (!spin || ++pauses_ % 16 == 0) checkShutdown();
   if (spin) return;
   endOnSilence(time, forWhat_);
   sleepFor(std::clamp(time * sleepPart, shortestSleep, longestSleep));

@@ -13,14 +13,14 @@
 namespace clay {
 
 /// One wait that has not come to its end at the first test.
-class Patience {
+class Backoff {
  public:
   /// \param forWhat  what is waited for, as it stands in a message
-  explicit Patience(const char* forWhat);
+  explicit Backoff(const char* forWhat);
 
   /// Lets some time pass between two tests: none at first, then sleeps, ever
   /// longer, a small part of the time that was waited already. Ends the
-  /// process on a farewell, and both halves after too long a silence.
+  /// process when the other half shuts down, and both halves after too long a silence.
   void pause();
 
   /// Time waited so far [s].
@@ -45,10 +45,10 @@ void endOnSilence(double waited, const char* forWhat);
 template <class Done>
 void waitUntil(Done done, const char* forWhat, double* waited = nullptr) {
   if (done()) return;
-  Patience patience(forWhat);
-  do patience.pause();
+  Backoff backoff(forWhat);
+  do backoff.pause();
   while (!done());
-  if (waited) *waited += patience.waited();
+  if (waited) *waited += backoff.waited();
 }
 
 /// True when all the requests have completed.

@@ -15,9 +15,9 @@ enum Tag : int {
   tagState,         ///< particles
   tagAnswer,        ///< fields for particles, back
   tagShared,        ///< among CFD ranks: values of shared particles
-  tagFarewell,      ///< this half ends before the coupled run does; why
+  tagShutdown,      ///< this half ends before the coupled run does; why
   tagSpeaks,        ///< the first rank of this half says why it ends, for all
-  tagSaved          ///< this rank has saved its state after a farewell
+  tagSaved          ///< this rank has saved its state, before it shuts down
 };
 
 /// Doubles at the end of an answer: the reported figure, and whether it came late.
@@ -29,12 +29,12 @@ enum class Kind : int { state = 1, resume = 2, close = 3 };
 /// Sent by every DEM rank to every CFD rank ahead of anything else.
 struct Header {
   double kind = 0;
-  double exchange = 0;      ///< number of the exchange
-  double time = 0;          ///< [s]
-  double interval = 0;      ///< time since the last state [s]
-  double last = 0;          ///< 1: a run's last state
-  double count = 0;         ///< particles that follow
-  double shares = 0;        ///< doubles of the list of sharers that follow
+  double exchange = 0;            ///< number of the exchange
+  double time = 0;                ///< [s]
+  double interval = 0;            ///< time since the last state [s]
+  double last = 0;                ///< 1: a run's last state
+  double count = 0;               ///< particles that follow
+  double shares = 0;              ///< doubles of the list of sharers that follow
   double impulse[3] = {0, 0, 0};  ///< given to this rank's particles so far [N s]
 
   static constexpr int doubles = 10;

@@ -11,29 +11,41 @@
 
 namespace clay {
 
-/// The two programs of one coupled mpirun.
+/// The two halves of one coupled mpirun; each may be started in several parts.
 enum class Half { dem, cfd };
+
+/// "DEM" or "CFD", as it stands in messages.
+const char* name(Half half);
+
+/// Which half this program is. Every program that is linked with clay_world defines
+/// it, once, at namespace scope: `const clay::Half clay::programHalf = clay::Half::dem;`.
+extern const Half programHalf;
 
 /// This program's half of MPI_COMM_WORLD.
 ///
-/// The world is split by MPI_APPNUM right after MPI_Init, by the wrappers of
-/// world_wrappers.cpp, so that neither host code ever sees the other's ranks.
-/// A host code that splits the world by itself needs no wrappers: it calls
-/// adopt() with the communicator it made.
+/// Right after MPI_Init the wrappers of world_wrappers.cpp split the world by
+/// programHalf, so that neither host code ever sees the other's ranks. How the
+/// programs were started does not matter. A host code that splits the world by
+/// itself needs no wrappers: it calls adopt() with the communicator it made.
 class World {
  public:
   /// The world of this process; MPI must be initialised.
   static World& instance();
 
-  /// Starts MPI where the host code does not (a serial OpenFOAM).
+  /// Starts MPI where the host code does not (a serial OpenFOAM), in a program
+  /// that is linked with clay_world.
   static void init(int& argc, char**& argv);
 
-  /// Splits MPI_COMM_WORLD by MPI_APPNUM; called once, by whoever starts MPI.
-  void split();
+  /// Splits MPI_COMM_WORLD by the halves that its ranks name; called by the
+  /// wrappers of MPI_Init.
+  void split(Half mine);
 
   /// Takes a half that the host code has made by itself.
   /// The ranks of each half must keep the order they have in MPI_COMM_WORLD.
-  void adopt(MPI_Comm half);
+  void adopt(MPI_Comm half, Half which);
+
+  /// Which half this is.
+  Half which() const { return which_; }
 
   /// The communicator of this half; MPI_COMM_WORLD of the host code means it.
   MPI_Comm half() const { return half_; }
@@ -45,26 +57,27 @@ class World {
   int rank() const { return rank_; }
   int size() const { return size_; }
 
-  /// How many programs the mpirun has; a coupled run has two.
-  int programs() const { return programs_; }
+  /// True when the mpirun holds the other half as well.
+  bool hasOtherHalf() const { return !remoteRanks_.empty(); }
 
   /// Ranks of the other half in whole(), ordered by their rank in that half.
-  const std::vector<int>& peers() const { return peers_; }
+  const std::vector<int>& remoteRanks() const { return remoteRanks_; }
 
   /// Ranks of this half in whole(), ordered by their rank in this half.
-  const std::vector<int>& mates() const { return mates_; }
+  const std::vector<int>& localRanks() const { return localRanks_; }
 
   /// True once split() or adopt() was called.
   bool ready() const { return ready_; }
 
  private:
   World() = default;
-  void index();
+  void setHalf(MPI_Comm half, Half which);
 
   MPI_Comm half_ = MPI_COMM_NULL;
   MPI_Comm whole_ = MPI_COMM_NULL;
-  int rank_ = 0, size_ = 1, programs_ = 1;
-  std::vector<int> peers_, mates_;
+  Half which_ = Half::dem;
+  int rank_ = 0, size_ = 1;
+  std::vector<int> remoteRanks_, localRanks_;
   bool ready_ = false;
 };
 
@@ -74,6 +87,6 @@ class World {
 
 /// What the host does on every rank when the other half has ended too early,
 /// before this half ends as well: saving its state, for one. It has 5 s.
-void onFarewell(std::function<void(const std::string& reason)> save);
+void onShutdown(std::function<void(const std::string& reason)> save);
 
 }  // namespace clay

@@ -12,13 +12,13 @@ using clay::confined;
 
 extern "C" int MPI_Init(int* argc, char*** argv) {
   const int status = PMPI_Init(argc, argv);
-  clay::World::instance().split();
+  clay::World::instance().split(clay::programHalf);
   return status;
 }
 
 extern "C" int MPI_Init_thread(int* argc, char*** argv, int required, int* provided) {
   const int status = PMPI_Init_thread(argc, argv, required, provided);
-  clay::World::instance().split();
+  clay::World::instance().split(clay::programHalf);
   return status;
 }
 
@@ -31,19 +31,19 @@ extern "C" int MPI_Abort(MPI_Comm, int code) { clay::abortBoth(code); }
 
 // ---- messages
 
-#define CLAY_SEND(name)                                                                   \
+#define CLAY_SEND(name)                                                                     \
   CLAY_WRAP(name, (const void* buf, int n, MPI_Datatype type, int to, int tag, MPI_Comm c), \
             (buf, n, type, to, tag, confined(c)))
-#define CLAY_SEND_REQUEST(name)                                                           \
-  CLAY_WRAP(name,                                                                         \
-            (const void* buf, int n, MPI_Datatype type, int to, int tag, MPI_Comm c,      \
-             MPI_Request* request),                                                       \
+#define CLAY_SEND_REQUEST(name)                                                      \
+  CLAY_WRAP(name,                                                                    \
+            (const void* buf, int n, MPI_Datatype type, int to, int tag, MPI_Comm c, \
+             MPI_Request* request),                                                  \
             (buf, n, type, to, tag, confined(c), request))
-#define CLAY_RECEIVE_REQUEST(name)                                                        \
-  CLAY_WRAP(name,                                                                         \
-            (void* buf, int n, MPI_Datatype type, int from, int tag, MPI_Comm c,          \
-             MPI_Request* request),                                                       \
-            (buf, n, type, from, tag, confined(c), request))
+#define CLAY_RECEIVE_REQUEST(name)                                                                \
+  CLAY_WRAP(                                                                                      \
+      name,                                                                                       \
+      (void* buf, int n, MPI_Datatype type, int from, int tag, MPI_Comm c, MPI_Request* request), \
+      (buf, n, type, from, tag, confined(c), request))
 
 CLAY_SEND(Send)
 CLAY_SEND(Ssend)
@@ -60,16 +60,15 @@ CLAY_SEND_REQUEST(Bsend_init)
 CLAY_RECEIVE_REQUEST(Irecv)
 CLAY_RECEIVE_REQUEST(Recv_init)
 
-CLAY_WRAP(Recv,
-          (void* buf, int n, MPI_Datatype type, int from, int tag, MPI_Comm c, MPI_Status* s),
+CLAY_WRAP(Recv, (void* buf, int n, MPI_Datatype type, int from, int tag, MPI_Comm c, MPI_Status* s),
           (buf, n, type, from, tag, confined(c), s))
 CLAY_WRAP(Sendrecv,
-          (const void* out, int nOut, MPI_Datatype outType, int to, int outTag, void* in,
-           int nIn, MPI_Datatype inType, int from, int inTag, MPI_Comm c, MPI_Status* s),
+          (const void* out, int nOut, MPI_Datatype outType, int to, int outTag, void* in, int nIn,
+           MPI_Datatype inType, int from, int inTag, MPI_Comm c, MPI_Status* s),
           (out, nOut, outType, to, outTag, in, nIn, inType, from, inTag, confined(c), s))
 CLAY_WRAP(Sendrecv_replace,
-          (void* buf, int n, MPI_Datatype type, int to, int outTag, int from, int inTag,
-           MPI_Comm c, MPI_Status* s),
+          (void* buf, int n, MPI_Datatype type, int to, int outTag, int from, int inTag, MPI_Comm c,
+           MPI_Status* s),
           (buf, n, type, to, outTag, from, inTag, confined(c), s))
 CLAY_WRAP(Probe, (int from, int tag, MPI_Comm c, MPI_Status* s), (from, tag, confined(c), s))
 CLAY_WRAP(Iprobe, (int from, int tag, MPI_Comm c, int* flag, MPI_Status* s),
@@ -92,10 +91,8 @@ CLAY_WRAP(Pack_size, (int n, MPI_Datatype type, MPI_Comm c, int* size),
 CLAY_WRAP(Comm_rank, (MPI_Comm c, int* rank), (confined(c), rank))
 CLAY_WRAP(Comm_size, (MPI_Comm c, int* size), (confined(c), size))
 CLAY_WRAP(Comm_group, (MPI_Comm c, MPI_Group* group), (confined(c), group))
-CLAY_WRAP(Comm_compare, (MPI_Comm a, MPI_Comm b, int* result),
-          (confined(a), confined(b), result))
-CLAY_WRAP(Comm_create, (MPI_Comm c, MPI_Group group, MPI_Comm* made),
-          (confined(c), group, made))
+CLAY_WRAP(Comm_compare, (MPI_Comm a, MPI_Comm b, int* result), (confined(a), confined(b), result))
+CLAY_WRAP(Comm_create, (MPI_Comm c, MPI_Group group, MPI_Comm* made), (confined(c), group, made))
 CLAY_WRAP(Comm_create_group, (MPI_Comm c, MPI_Group group, int tag, MPI_Comm* made),
           (confined(c), group, tag, made))
 CLAY_WRAP(Comm_dup, (MPI_Comm c, MPI_Comm* made), (confined(c), made))
@@ -125,8 +122,8 @@ CLAY_WRAP(Comm_delete_attr, (MPI_Comm c, int key), (confined(c), key))
 
 // what MPI itself attaches, it attaches to the true MPI_COMM_WORLD alone
 extern "C" int MPI_Comm_get_attr(MPI_Comm c, int key, void* value, int* flag) {
-  for (int own : {MPI_TAG_UB, MPI_HOST, MPI_IO, MPI_WTIME_IS_GLOBAL, MPI_APPNUM,
-                  MPI_LASTUSEDCODE, MPI_UNIVERSE_SIZE})
+  for (int own : {MPI_TAG_UB, MPI_HOST, MPI_IO, MPI_WTIME_IS_GLOBAL, MPI_APPNUM, MPI_LASTUSEDCODE,
+                  MPI_UNIVERSE_SIZE})
     if (key == own) return PMPI_Comm_get_attr(c, key, value, flag);
   return PMPI_Comm_get_attr(confined(c), key, value, flag);
 }

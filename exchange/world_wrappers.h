@@ -26,7 +26,6 @@ inline MPI_Comm confined(MPI_Comm comm) {
 #define CLAY_UNPACK(...) __VA_ARGS__
 
 /// Defines the blocking call and its non-blocking twin, which takes a request as well.
-#define CLAY_WRAP_BOTH(name, twin, parameters, arguments)                        \
-  CLAY_WRAP(name, (CLAY_UNPACK parameters), (CLAY_UNPACK arguments))             \
-  CLAY_WRAP(twin, (CLAY_UNPACK parameters, MPI_Request* request),                \
-            (CLAY_UNPACK arguments, request))
+#define CLAY_WRAP_BOTH(name, twin, parameters, arguments)            \
+  CLAY_WRAP(name, (CLAY_UNPACK parameters), (CLAY_UNPACK arguments)) \
+  CLAY_WRAP(twin, (CLAY_UNPACK parameters, MPI_Request * request), (CLAY_UNPACK arguments, request))

@@ -18,12 +18,11 @@ CLAY_WRAP_BOTH(Reduce, Ireduce,
                 MPI_Comm c),
                (out, in, n, type, op, root, confined(c)))
 CLAY_WRAP_BOTH(Reduce_scatter, Ireduce_scatter,
-               (const void* out, void* in, const int n[], MPI_Datatype type, MPI_Op op,
-                MPI_Comm c),
+               (const void* out, void* in, const int n[], MPI_Datatype type, MPI_Op op, MPI_Comm c),
                (out, in, n, type, op, confined(c)))
 
-#define CLAY_REDUCE(name, twin)                                                              \
-  CLAY_WRAP_BOTH(name, twin,                                                                 \
+#define CLAY_REDUCE(name, twin)                                                                \
+  CLAY_WRAP_BOTH(name, twin,                                                                   \
                  (const void* out, void* in, int n, MPI_Datatype type, MPI_Op op, MPI_Comm c), \
                  (out, in, n, type, op, confined(c)))
 CLAY_REDUCE(Allreduce, Iallreduce)
@@ -31,10 +30,10 @@ CLAY_REDUCE(Scan, Iscan)
 CLAY_REDUCE(Exscan, Iexscan)
 CLAY_REDUCE(Reduce_scatter_block, Ireduce_scatter_block)
 
-#define CLAY_ROOTED(name, twin)                                                    \
-  CLAY_WRAP_BOTH(name, twin,                                                       \
-                 (const void* out, int nOut, MPI_Datatype outType, void* in,       \
-                  int nIn, MPI_Datatype inType, int root, MPI_Comm c),             \
+#define CLAY_ROOTED(name, twin)                                                       \
+  CLAY_WRAP_BOTH(name, twin,                                                          \
+                 (const void* out, int nOut, MPI_Datatype outType, void* in, int nIn, \
+                  MPI_Datatype inType, int root, MPI_Comm c),                         \
                  (out, nOut, outType, in, nIn, inType, root, confined(c)))
 CLAY_ROOTED(Gather, Igather)
 CLAY_ROOTED(Scatter, Iscatter)
@@ -43,26 +42,25 @@ CLAY_WRAP_BOTH(Gatherv, Igatherv,
                 const int at[], MPI_Datatype inType, int root, MPI_Comm c),
                (out, nOut, outType, in, nIn, at, inType, root, confined(c)))
 CLAY_WRAP_BOTH(Scatterv, Iscatterv,
-               (const void* out, const int nOut[], const int at[], MPI_Datatype outType,
-                void* in, int nIn, MPI_Datatype inType, int root, MPI_Comm c),
+               (const void* out, const int nOut[], const int at[], MPI_Datatype outType, void* in,
+                int nIn, MPI_Datatype inType, int root, MPI_Comm c),
                (out, nOut, at, outType, in, nIn, inType, root, confined(c)))
 
 // from all to all, or among the neighbours of a topology
-#define CLAY_ALL(name, twin)                                                       \
-  CLAY_WRAP_BOTH(name, twin,                                                       \
-                 (const void* out, int nOut, MPI_Datatype outType, void* in,       \
-                  int nIn, MPI_Datatype inType, MPI_Comm c),                       \
+#define CLAY_ALL(name, twin)                                                          \
+  CLAY_WRAP_BOTH(name, twin,                                                          \
+                 (const void* out, int nOut, MPI_Datatype outType, void* in, int nIn, \
+                  MPI_Datatype inType, MPI_Comm c),                                   \
                  (out, nOut, outType, in, nIn, inType, confined(c)))
-#define CLAY_ALL_GATHERV(name, twin)                                               \
-  CLAY_WRAP_BOTH(name, twin,                                                       \
-                 (const void* out, int nOut, MPI_Datatype outType, void* in,       \
-                  const int nIn[], const int at[], MPI_Datatype inType, MPI_Comm c), \
+#define CLAY_ALL_GATHERV(name, twin)                                                          \
+  CLAY_WRAP_BOTH(name, twin,                                                                  \
+                 (const void* out, int nOut, MPI_Datatype outType, void* in, const int nIn[], \
+                  const int at[], MPI_Datatype inType, MPI_Comm c),                           \
                  (out, nOut, outType, in, nIn, at, inType, confined(c)))
-#define CLAY_ALL_V(name, twin, Place, Types)                                       \
-  CLAY_WRAP_BOTH(name, twin,                                                       \
-                 (const void* out, const int nOut[], const Place* outAt,           \
-                  Types outType, void* in, const int nIn[], const Place* inAt,     \
-                  Types inType, MPI_Comm c),                                       \
+#define CLAY_ALL_V(name, twin, Place, Types)                                                      \
+  CLAY_WRAP_BOTH(name, twin,                                                                      \
+                 (const void* out, const int nOut[], const Place* outAt, Types outType, void* in, \
+                  const int nIn[], const Place* inAt, Types inType, MPI_Comm c),                  \
                  (out, nOut, outAt, outType, in, nIn, inAt, inType, confined(c)))
 CLAY_ALL(Allgather, Iallgather)
 CLAY_ALL(Alltoall, Ialltoall)
@@ -79,14 +77,12 @@ CLAY_ALL_V(Neighbor_alltoallw, Ineighbor_alltoallw, MPI_Aint, const MPI_Datatype
 
 CLAY_WRAP(Topo_test, (MPI_Comm c, int* status), (confined(c), status))
 CLAY_WRAP(Cart_create,
-          (MPI_Comm c, int n, const int dims[], const int periods[], int reorder,
-           MPI_Comm* made),
+          (MPI_Comm c, int n, const int dims[], const int periods[], int reorder, MPI_Comm* made),
           (confined(c), n, dims, periods, reorder, made))
 CLAY_WRAP(Cart_get, (MPI_Comm c, int n, int dims[], int periods[], int coords[]),
           (confined(c), n, dims, periods, coords))
 CLAY_WRAP(Cart_rank, (MPI_Comm c, const int coords[], int* rank), (confined(c), coords, rank))
-CLAY_WRAP(Cart_coords, (MPI_Comm c, int rank, int n, int coords[]),
-          (confined(c), rank, n, coords))
+CLAY_WRAP(Cart_coords, (MPI_Comm c, int rank, int n, int coords[]), (confined(c), rank, n, coords))
 CLAY_WRAP(Cart_shift, (MPI_Comm c, int direction, int by, int* from, int* to),
           (confined(c), direction, by, from, to))
 CLAY_WRAP(Cart_sub, (MPI_Comm c, const int keep[], MPI_Comm* made), (confined(c), keep, made))
@@ -94,8 +90,7 @@ CLAY_WRAP(Cart_map, (MPI_Comm c, int n, const int dims[], const int periods[], i
           (confined(c), n, dims, periods, rank))
 CLAY_WRAP(Cartdim_get, (MPI_Comm c, int* n), (confined(c), n))
 CLAY_WRAP(Graph_create,
-          (MPI_Comm c, int n, const int index[], const int edges[], int reorder,
-           MPI_Comm* made),
+          (MPI_Comm c, int n, const int index[], const int edges[], int reorder, MPI_Comm* made),
           (confined(c), n, index, edges, reorder, made))
 CLAY_WRAP(Graph_get, (MPI_Comm c, int n, int m, int index[], int edges[]),
           (confined(c), n, m, index, edges))
@@ -110,13 +105,11 @@ CLAY_WRAP(Dist_graph_create,
            const int weights[], MPI_Info info, int reorder, MPI_Comm* made),
           (confined(c), n, nodes, degrees, targets, weights, info, reorder, made))
 CLAY_WRAP(Dist_graph_create_adjacent,
-          (MPI_Comm c, int nIn, const int in[], const int inWeights[], int nOut,
-           const int out[], const int outWeights[], MPI_Info info, int reorder,
-           MPI_Comm* made),
+          (MPI_Comm c, int nIn, const int in[], const int inWeights[], int nOut, const int out[],
+           const int outWeights[], MPI_Info info, int reorder, MPI_Comm* made),
           (confined(c), nIn, in, inWeights, nOut, out, outWeights, info, reorder, made))
 CLAY_WRAP(Dist_graph_neighbors,
-          (MPI_Comm c, int nIn, int in[], int inWeights[], int nOut, int out[],
-           int outWeights[]),
+          (MPI_Comm c, int nIn, int in[], int inWeights[], int nOut, int out[], int outWeights[]),
           (confined(c), nIn, in, inWeights, nOut, out, outWeights))
 CLAY_WRAP(Dist_graph_neighbors_count, (MPI_Comm c, int* in, int* out, int* weighted),
           (confined(c), in, out, weighted))
@@ -132,8 +125,6 @@ CLAY_WRAP(Win_allocate,
 CLAY_WRAP(Win_allocate_shared,
           (MPI_Aint size, int unit, MPI_Info info, MPI_Comm c, void* base, MPI_Win* win),
           (size, unit, info, confined(c), base, win))
-CLAY_WRAP(Win_create_dynamic, (MPI_Info info, MPI_Comm c, MPI_Win* win),
-          (info, confined(c), win))
-CLAY_WRAP(File_open,
-          (MPI_Comm c, const char* name, int mode, MPI_Info info, MPI_File* file),
+CLAY_WRAP(Win_create_dynamic, (MPI_Info info, MPI_Comm c, MPI_Win* win), (info, confined(c), win))
+CLAY_WRAP(File_open, (MPI_Comm c, const char* name, int mode, MPI_Info info, MPI_File* file),
           (confined(c), name, mode, info, file))

@@ -16,12 +16,17 @@ Description
 #include "fluidSolver.H"
 #include "startUp.H"
 
+#include "exchange/world.h"
+
+// what the wrappers of MPI split the world by
+const clay::Half clay::programHalf = clay::Half::cfd;
+
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
-//- Marches with the DEM half until it says goodbye
+//- Marches with the DEM half until the coupled run is over
 static void march(const argList& args)
 {
     Time runTime(Time::controlDictName, args);

@@ -146,7 +146,7 @@ clay::CfdTerms Foam::particleCoupling::terms() const
 
 void Foam::particleCoupling::checkBuoyancy()
 {
-    const auto& g = session_->peer().gravity;
+    const auto& g = session_->remoteTerms().gravity;
     gravity_ = vector(g[0], g[1], g[2]);
 
     if (mag(gravity_) > 0 && !properties_.has("buoyancy"))
@@ -375,7 +375,7 @@ void Foam::particleCoupling::writeStatistics(const dictionary& solverSettings)
     settings.add("meshCells", returnReduce(mesh_.nCells(), sumOp<label>()));
     settings.add("ranks", Pstream::nProcs());
 
-    const clay::DemTerms& dem = session_->peer();
+    const clay::DemTerms& dem = session_->remoteTerms();
     settings.add("couplingInterval", dem.step*dem.interval, true);
     settings.add("gravity", gravity_);
     if (!dem.clumpDrag.empty())

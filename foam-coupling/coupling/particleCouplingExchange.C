@@ -310,7 +310,7 @@ bool Foam::particleCoupling::next()
                 break;
             }
         }
-        const clay::DemTerms& dem = session_->peer();
+        const clay::DemTerms& dem = session_->remoteTerms();
 
         if (mag(session_->time() - endOfInterval()) > 0.5*dem.step)
         {

@@ -13,7 +13,7 @@
 
 Foam::scalar Foam::particleCoupling::elapsed() const
 {
-    const scalar step = session_->peer().step;
+    const scalar step = session_->remoteTerms().step;
     return std::round((session_->time() - time_)/step)*step;
 }
 

@@ -148,7 +148,7 @@ clay::DemTerms FixCoupleFoam::terms()
 
 /* ---------------------------------------------------------------------- */
 
-double FixCoupleFoam::fluid_viscosity() const { return session_ ? session_->peer().fluidViscosity : 0.; }
+double FixCoupleFoam::fluid_viscosity() const { return session_ ? session_->remoteTerms().fluidViscosity : 0.; }
 
 /* ----------------------------------------------------------------------
    handshake, at the first run; a further run goes on from there
@@ -167,14 +167,14 @@ void FixCoupleFoam::open()
     if (session_) session_->resume(mine);
     else {
       session_.reset(new clay::DemSession(mine));
-      for (const std::string &odd : clay::warnings(mine,session_->peer())) report_->warn(odd);
+      for (const std::string &odd : clay::warnings(mine,session_->remoteTerms())) report_->warn(odd);
     }
   } catch (clay::Refusal &refusal) {
     error->all(FLERR,refusal.what());
   }
   sent_ = clay::Particles(session_->sends());
   answer_ = clay::Particles(session_->receives());
-  if (clumps_) clumps_->fluid(session_->peer().fluidViscosity,session_->peer().fluidDensity);
+  if (clumps_) clumps_->fluid(session_->remoteTerms().fluidViscosity,session_->remoteTerms().fluidDensity);
 
   const clay::FieldSet &gets = session_->receives();
   if (gets.has(Field::addedMass)) check_last();

@@ -6,12 +6,15 @@
 #include <csignal>
 #include <cstring>
 
+#include "exchange/world.h"
 #include "input.h"
 #include "lammps.h"
 #include "driver/register_styles.h"
 #include "signal_handling.h"
 
 using namespace LAMMPS_NS;
+
+const clay::Half clay::programHalf = clay::Half::dem;
 
 namespace {
 

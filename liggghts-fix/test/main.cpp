@@ -2,6 +2,10 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include "exchange/world.h"
+
+const clay::Half clay::programHalf = clay::Half::dem;
+
 int main(int argc, char **argv)
 {
   MPI_Init(&argc, &argv);

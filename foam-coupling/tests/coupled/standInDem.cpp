@@ -16,6 +16,8 @@
 
 #include "exchange/session.h"
 
+const clay::Half clay::programHalf = clay::Half::dem;
+
 namespace {
 
 using clay::Field;

@@ -8,6 +8,14 @@
 
 namespace LAMMPS_NS {
 
+/// A sphere of a body that this processor owns.
+struct BodySphere {
+  int atom;         ///< local or ghost index
+  int body;         ///< local index of the body
+  const double *r;  ///< from the body's centre of mass, body axes [m]
+  double fraction;  ///< share of the body's volume it stands for
+};
+
 /// Spheres sorted by body. Those of body b are begin(b) up to end(b); of each real
 /// sphere the first one counts, up to counted(b), and the others are its images.
 class BodySpheres {

@@ -91,7 +91,7 @@ void FixMultisphereClump::sort_spheres()
 
 /* ---------------------------------------------------------------------- */
 
-void FixMultisphereClump::spheres(std::vector<Sphere> &list)
+void FixMultisphereClump::spheres(std::vector<BodySphere> &list)
 {
   list.clear();
   sort_spheres();

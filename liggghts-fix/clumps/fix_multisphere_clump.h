@@ -26,14 +26,6 @@ namespace LAMMPS_NS {
 
 class FixMultisphereClump : public FixMultisphere {
  public:
-  /// A sphere of a body that this processor owns.
-  struct Sphere {
-    int atom;         ///< local or ghost index
-    int body;         ///< local index of the body
-    const double *r;  ///< from the body's centre of mass, body axes [m]
-    double fraction;  ///< share of the body's volume it stands for
-  };
-
   FixMultisphereClump(class LAMMPS *, int, char **);
 
   void initial_integrate(int vflag);
@@ -43,7 +35,7 @@ class FixMultisphereClump : public FixMultisphere {
 
   /// All spheres of this processor's bodies, ghosts among them; valid until the
   /// next neighbour list is built.
-  void spheres(std::vector<Sphere> &list);
+  void spheres(std::vector<BodySphere> &list);
 
   /// Takes the fluid's action on a body, until it is given anew.
   void set_drag(int ibody, const BodyDrag &drag);

@@ -6,45 +6,80 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
 
 #include "atom.h"
+#include "clumps/fix_multisphere_clump.h"
 #include "comm.h"
-#include "coupling/run_checks.h"
 #include "coupling/coupled_clumps.h"
 #include "coupling/coupling_report.h"
+#include "coupling/run_checks.h"
+#include "coupling/runaway_watch.h"
 #include "domain.h"
 #include "error.h"
-#include "thermal/fix_brownian.h"
+#include "exchange/session.h"
 #include "fix_gravity.h"
-#include "force.h"
 #include "memory.h"
 #include "modify.h"
-#include "coupling/runaway_watch.h"
-#include "exchange/session.h"
+#include "thermal/fix_brownian.h"
 #include "universe.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
+using clay::ClumpDragKind;
 using clay::Field;
+
+namespace {
+
+// the words of the command behind the style's name, understood
+clay::CoupleSettings settings(int narg, char **arg, Error *error)
+{
+  try {
+    return clay::CoupleSettings::parse(std::vector<std::string>(arg + 3,arg + narg));
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR,(std::string("Fix couple/foam: ") + e.what()).c_str());
+  }
+  return {};
+}
+
+// random forces of the script
+class Thermal : public clay::RandomForce {
+ public:
+  explicit Thermal(const FixBrownian *fix) : fix_(fix) {}
+  void force(int i, double K, double *force) const override { fix_->kick(i,K,force); }
+  void couple(int i, double C, double *couple) const override { fix_->kick(i,C,couple,1); }
+
+ private:
+  const FixBrownian *fix_;
+};
+
+}  // namespace
 
 /* ---------------------------------------------------------------------- */
 
 FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
-  Fix(lmp, narg, arg),
-  interval_(0), dt_(0.), idle_(false), opened_(-1), pending_(false), lag_(0), waited_(0), prompt_(true), check_limit_(true),
-  warned_(false), exchanges_(0),
-  bodies_(NULL), thermal_(NULL), fluid_(NULL), more_(NULL), movers_(0), listed_(-1),
+  Fix(lmp,narg,arg),
+  settings_(settings(narg,arg,error)),
+  dt_(0.), idle_(false), opened_(-1), pending_(false), waited_(0), prompt_(true), warned_(false),
+  exchanges_(0), bodies_(NULL), fluid_(NULL), more_(NULL), movers_(0), listed_(-1),
   still_(false), unseen_(false), still_steps_(0), last_time_(0.)
 {
-  parse(narg,arg);
   given_[0] = given_[1] = given_[2] = 0.;
+
+  report_.reset(new CouplingReport(lmp,settings_.stats,settings_.progress));
+  report_->setting("clump_drag",clay::name(settings_.clumpDrag));
+  if (settings_.clumpDrag == ClumpDragKind::resistance) {
+    clumps_.reset(new CoupledClumps(lmp,clay::shapeLaw(settings_.shapeLaw)));
+    report_->setting("shape_law",settings_.shapeLaw);
+  }
+  if (settings_.watch) watch_.reset(new RunawayWatch(lmp));
 
   nevery = 1;
   time_depend = 1;
   create_attribute = 1;   // set_arrays for particles inserted within a run
   restart_global = 1;     // the clock, which LIGGGHTS does not restart
-  comm_forward = comm_reverse = FORCE - DRAG;
+  comm_forward = comm_reverse = Row::FORCE - Row::DRAG;
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
@@ -75,7 +110,7 @@ int FixCoupleFoam::setmask()
 void FixCoupleFoam::post_create()
 {
   if (modify->n_fixes_style("couple/foam") > 1)
-    error->all(FLERR,"Fix couple/foam: there is one already; one fix couples all particles");
+    error->all(FLERR,"Fix couple/foam: only one fix couple/foam is allowed; it couples all particles");
 }
 
 /* ---------------------------------------------------------------------- */
@@ -99,11 +134,60 @@ void FixCoupleFoam::init()
   if (clumps_ && !bodies_)
     error->all(FLERR,"Fix couple/foam: clumpDrag resistance: there are no clumps; 'fix multisphere/clump' makes them");
   if (clumps_) clumps_->init(bodies_);
-  thermal_ = dynamic_cast<FixBrownian*>(modify->find_fix_style("brownian",0));
+  const FixBrownian *thermal = dynamic_cast<FixBrownian*>(modify->find_fix_style("brownian",0));
+  random_.reset(thermal ? new Thermal(thermal) : NULL);
 
   movers_ = moving_groups(lmp);
 
-  check_order();
+  refuse([&] { clay::check_order(fixes(),modify->find_fix(id)); });
+}
+
+/* ----------------------------------------------------------------------
+   what a check throws ends the run
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::refuse(const std::function<void()> &check)
+{
+  try {
+    check();
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR,(std::string("Fix couple/foam: ") + e.what()).c_str());
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+std::vector<clay::FixEntry> FixCoupleFoam::fixes() const
+{
+  std::vector<clay::FixEntry> all;
+  for (int i = 0; i < modify->nfix; i++) {
+    Fix *fix = modify->fix[i];
+    all.push_back({fix->id,fix->style,(fix->setmask() & POST_FORCE) != 0});
+  }
+  return all;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::check_contacts()
+{
+  std::string which;
+  const double limit = resting_step_limit(lmp,&which);
+  refuse([&] { clay::check_contact_limit(update->dt,limit,which); });
+  const ChargedContact worst = charged_contact(lmp);
+  std::string odd;
+  refuse([&] { odd = clay::check_charges(worst); });
+  if (!odd.empty()) report_->warn(odd);
+}
+
+void FixCoupleFoam::watch_contact_limit()
+{
+  if (warned_) return;
+  int contacts = 0;
+  const double limit = present_step_limit(lmp,&contacts);
+  if (update->dt <= limit) return;
+  warned_ = true;
+  report_->warn(clay::contact_limit_warning(update->dt,limit,contacts,update->ntimestep));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -113,7 +197,7 @@ clay::DemTerms FixCoupleFoam::terms()
   clay::DemTerms t;
   t.program = universe->version;
   t.step = update->dt;
-  t.interval = interval_;
+  t.interval = settings_.interval;
   t.startTime = update->get_cur_time();
   t.endTime = t.startTime + (update->laststep - update->firststep)*update->dt;
 
@@ -141,7 +225,7 @@ clay::DemTerms FixCoupleFoam::terms()
   t.offers = {Field::position, Field::radius, Field::volume, Field::velocity, Field::tag,
               Field::body, Field::impulse, Field::mass, Field::spin};
   if (clumps_) t.brings = {Field::dragDiameter, Field::dragFactor};
-  if (bodies_) t.clumpDrag = clay::name(clumps_ ? clay::ClumpDragKind::resistance : clay::ClumpDragKind::sphereSum);
+  if (bodies_) t.clumpDrag = clay::name(settings_.clumpDrag);
   t.needs = {Field::dragCoefficient, Field::fluidVelocity};
   return t;
 }
@@ -157,11 +241,8 @@ double FixCoupleFoam::fluid_viscosity() const { return session_ ? session_->remo
 void FixCoupleFoam::open()
 {
   dt_ = update->dt;
-  check_interval();
-  if (check_limit_) {
-    check_contact_limit();
-    check_charges();
-  }
+  refuse([&] { clay::check_interval(update->laststep - update->firststep,settings_.interval); });
+  if (settings_.contactLimit) check_contacts();
   try {
     const clay::DemTerms mine = terms();
     if (session_) session_->resume(mine);
@@ -177,10 +258,10 @@ void FixCoupleFoam::open()
   if (clumps_) clumps_->fluid(session_->remoteTerms().fluidViscosity,session_->remoteTerms().fluidDensity);
 
   const clay::FieldSet &gets = session_->receives();
-  if (gets.has(Field::addedMass)) check_last();
+  if (gets.has(Field::addedMass)) refuse([&] { clay::check_last(fixes(),modify->find_fix(id)); });
   if (!more_ && (gets.has(Field::addedMass) || gets.has(Field::turnCoefficient))) {
-    memory->create(more_,atom->nmax,(int) MORE,"couple/foam:more");
-    for (int i = 0; i < atom->nmax; i++) std::fill(more_[i],more_[i] + MORE,0.);
+    memory->create(more_,atom->nmax,(int) More::SIZE,"couple/foam:more");
+    for (int i = 0; i < atom->nmax; i++) std::fill(more_[i],more_[i] + More::SIZE,0.);
   }
 }
 
@@ -267,14 +348,9 @@ void FixCoupleFoam::end_of_step()
 {
   if (idle_) return;
   if (watch_) watch_->step();
-  if ((update->ntimestep - update->firststep) % interval_) return;
-  if (update->dt != dt_) {
-    char text[192];
-    snprintf(text,sizeof text,"Fix couple/foam: the timestep changed from %g to %g s within a run; "
-             "change it between two runs",dt_,update->dt);
-    error->all(FLERR,text);
-  }
-  if (check_limit_ && ++exchanges_ % 50 == 0) watch_contact_limit();
+  if ((update->ntimestep - update->firststep) % settings_.interval) return;
+  refuse([&] { clay::check_step(dt_,update->dt); });
+  if (settings_.contactLimit && ++exchanges_ % 50 == 0) watch_contact_limit();
   send(update->ntimestep == update->laststep);
 }
 
@@ -284,5 +360,5 @@ void FixCoupleFoam::post_run()
 {
   if (idle_) return;
   if (pending_) take_answer();
-  report_->finish(*session_,interval_,watch_ ? watch_->wall_overlap() : 0.);
+  report_->finish(*session_,settings_.interval,watch_ ? watch_->wall_overlap() : 0.);
 }

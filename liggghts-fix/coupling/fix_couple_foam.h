@@ -14,13 +14,16 @@ FixStyle(couple/foam,FixCoupleFoam)
 #ifndef LMP_FIX_COUPLE_FOAM_H
 #define LMP_FIX_COUPLE_FOAM_H
 
+#include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "coupling/couple_settings.h"
+#include "coupling/particle_packer.h"
+#include "coupling/script_checks.h"
+#include "coupling/sphere_forces.h"
 #include "exchange/fields.h"
 #include "fix.h"
-#include "clumps/fix_multisphere_clump.h"
 #include "fluid/coupled_fluid.h"
 
 namespace clay { class DemSession; struct DemTerms; }
@@ -29,6 +32,7 @@ namespace LAMMPS_NS {
 
 class CoupledClumps;
 class CouplingReport;
+class FixMultisphereClump;
 class RunawayWatch;
 
 class FixCoupleFoam : public Fix, public CoupledFluid {
@@ -49,9 +53,9 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   void restart(char *);
 
   double fluid_viscosity() const override;
-  double drag_coefficient(int i) const override { return fluid_[i][DRAG]; }
+  double drag_coefficient(int i) const override { return fluid_[i][clay::FluidRow::DRAG]; }
   /// DEM steps between two exchanges.
-  int interval() const { return interval_; }
+  int interval() const { return settings_.interval; }
   /// Particles keep still from now on, or move again (fix rest/bed).
   void rest(bool still);
   /// Before each step in which they keep still. False when the fluid's force on a
@@ -72,66 +76,52 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   void unpack_reverse_comm(int, int *, double *);
 
  private:
-  // what is kept of the fluid, per sphere; FORCE, IMPULSE and RELAX of free ones only
-  enum { DRAG = 0, VELOCITY = 1, LOAD = 4, FORCE = 7, IMPULSE = 10, SLOT = 13, RELAX = 14, SIZE = 15 };
-  // and of free ones, if the CFD half has added mass or torque
-  enum { ADDED = 0, TURN = 1, SPIN = 2, MORE = 5 };
+  typedef clay::FluidRow Row;
+  typedef clay::InertiaRow More;
 
-  int whole_number(const char *);
-  void parse(int, char **);
-  void parse_lag(const std::string &);
-  void parse_clump_drag(const std::string &, const std::string &);
-  void check_interval();
-  void check_order();
-  void check_contact_limit();
-  void check_charges();
+  void refuse(const std::function<void()> &check);
+  std::vector<clay::FixEntry> fixes() const;
+  void check_contacts();
   void watch_contact_limit();
   clay::DemTerms terms();
   void open();
   void send(bool last);
+  void pack_clumps(int first);
+  void check_finite();
   void take_answer();
   void look_for_answer();
-  void gather();
-  void tell_clumps(int slot);
-  void share_impulses();
-  void check_finite();
-  void apply(bool setupflag);
-  void apply_inertia(bool setupflag);
-  void apply_turn(int i);
-  void check_last();
-  bool moves(int i) const;
-  bool free_sphere(int i) const;
+  void take_body_answers();
+  void apply(bool first);
   void list_free();
-  void still_forces(std::vector<double> &forces) const;
+  clay::SphereArrays spheres() const;
+  std::vector<clay::StillSphere> still_spheres() const;
 
-  int interval_;                 // DEM steps between two exchanges
+  const clay::CoupleSettings settings_;
   double dt_;                    // DEM step at the start of the run [s]
   bool idle_;                    // a run of no steps
   bigint opened_;                // last step of the run that was set up
   bool pending_;                 // an answer is still to come
-  int lag_, waited_;             // steps that may go on without it, and that did so
+  int waited_;                   // steps that went on without it
   bool prompt_;                  // the last answer came late: wait for the next one
-  bool check_limit_;             // refuse a step above the contact limit
   bool warned_;                  // of the contacts there are
   long exchanges_;
   FixMultisphereClump *bodies_;  // null without clumps
-  class FixBrownian *thermal_;   // null without random forces
+  std::unique_ptr<clay::RandomForce> random_;  // null without random forces
   std::unique_ptr<CoupledClumps> clumps_;  // null when the drag is the sum over spheres
-  double **fluid_;               // per-atom store
-  double **more_;                // another one; null when it is not needed
+  double **fluid_;               // per-atom store, rows of FluidRow
+  double **more_;                // another one, of InertiaRow; null when it is not needed
   int movers_;                   // groups that some fix nve integrates
   std::vector<int> free_;        // spheres in no body
   int listed_;                   // local spheres when they were listed; -1 when out of date
   bool still_;                   // particles keep still
   bool unseen_;                  // an answer has come that rest_step() has not compared
   int still_steps_;              // for so many steps since the last exchange
-  std::vector<double> still_force_;  // of the fluid when they came to rest [N]
+  clay::StillForces still_forces_;  // of the fluid when they came to rest
   double given_[3];              // impulse given to this rank's particles [N s]
 
   std::unique_ptr<clay::DemSession> session_;
   clay::Particles sent_, answer_;
-  std::vector<FixMultisphereClump::Sphere> spheres_;  // of the bodies owned here
-  std::vector<double> shares_;   // impulse of each of them [N s]
+  std::vector<BodySphere> spheres_;  // of the bodies owned here
   double last_time_;             // of the last exchange [s]
   std::unique_ptr<CouplingReport> report_;
   std::unique_ptr<RunawayWatch> watch_;  // null when it is switched off

@@ -40,7 +40,7 @@ void RunawayWatch::stop(int i, const char *why, bigint since)
   const double *x = atom->x[i], *v = atom->v[i];
   char text[512];
   snprintf(text,sizeof text,"Fix couple/foam: particle %d %s at step " BIGINT_FORMAT " (%g s): position (%g %g %g) m, "
-           "velocity (%g %g %g) m/s; all was well at step " BIGINT_FORMAT "; a smaller timestep, a stiffer contact or a shorter coupling interval may help",
+           "velocity (%g %g %g) m/s; last check passed at step " BIGINT_FORMAT "; a smaller timestep, a stiffer contact or a shorter coupling interval may help",
            atom->tag[i],why,update->ntimestep,update->get_cur_time(),x[0],x[1],x[2],v[0],v[1],v[2],since);
   end(text);
 }

@@ -11,7 +11,7 @@ ClumpDragKind clumpDragKind(const std::string& name)
 {
   if (name == "sphereSum") return ClumpDragKind::sphereSum;
   if (name == "resistance") return ClumpDragKind::resistance;
-  throw std::invalid_argument("'" + name + "'; sphereSum or resistance is wanted");
+  throw std::invalid_argument("'" + name + "'; it must be sphereSum or resistance");
 }
 
 const char* name(ClumpDragKind kind)

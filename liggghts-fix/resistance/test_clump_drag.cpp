@@ -46,7 +46,7 @@ TEST(ClumpDrag, NamesItsKinds)
     clumpDragKind("sum");
     FAIL();
   } catch (const std::invalid_argument &e) {
-    EXPECT_STREQ(e.what(), "'sum'; sphereSum or resistance is wanted");
+    EXPECT_STREQ(e.what(), "'sum'; it must be sphereSum or resistance");
   }
 }
 

@@ -87,14 +87,14 @@ TEST(RunawayWatch, namesTheParticleAndSinceWhen)
   host.lmp->update->ntimestep = 20;
   v[0] = 201;
   expect(said(step), "particle 1 moves more than its diameter in a step at step 20");
-  expect(said(step), "all was well at step 0");
+  expect(said(step), "last check passed at step 0");
   v[0] = nan;
   expect(said(step), "particle 1 is no number");
   v[0] = 0;
   EXPECT_EQ(said(step), "");
   x[1] = 0.0101;
   expect(said(places), "particle 1 was pushed out of the box");
-  expect(said(places), "all was well at step 20");
+  expect(said(places), "last check passed at step 20");
   x[1] = nan;
   expect(said(places), "particle 1 is no number");
   x[1] = 0;

@@ -22,7 +22,7 @@ FEATURES = {
     "resting bed (rest=no)": ("dem", r"LAMMPS_NS::FixRestBed::|clay::Rest(Track|Watch)::"),
     "random forces (fix brownian)": ("dem", r"LAMMPS_NS::FixBrownian::"),
     "films (fix lubrication)": ("dem", r"LAMMPS_NS::FixLubrication::|clay::(Lubrication|lubrication|NearPairs)"),
-    "added mass and torque in the DEM half": ("dem", r"LAMMPS_NS::FixCoupleFoam::apply_(inertia|turn)\("),
+    "added mass and torque in the DEM half": ("dem", r"clay::(push_inertial_spheres|turn_sphere)\("),
     "torque": ("cfd", r"Foam::forceModels::torque::"),
     "Magnus lift": ("cfd", r"Foam::forceModels::magnus::"),
     "Saffman lift": ("cfd", r"Foam::forceModels::saffmanMei::"),
@@ -137,7 +137,7 @@ def run(checks):
     if not shutil.which("valgrind"):
         raise Broken("valgrind is not installed")
     plain, others = together("plain"), [together("clumps"), together("spheres")]
-    for half, name in (("dem", r"LAMMPS_NS::FixCoupleFoam::"), ("cfd", r"Foam::particleForces::")):
+    for half, name in (("dem", r"(LAMMPS_NS::FixCoupleFoam|clay::push_spheres)"), ("cfd", r"Foam::particleForces::")):
         checks.at_least(f"instructions an exchange in what the scene has, {half}",
                         sum(p.within(name)[0] for p in plain[half]) / LAST, 1.0)
     for feature in FEATURES:

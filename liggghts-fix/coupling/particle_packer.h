@@ -1,0 +1,75 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file particle_packer.h
+/// Spheres into a message to the CFD half, and its answer back into their rows.
+///
+/// A message holds the free spheres first, then the spheres of the bodies owned here.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "clumps/body_resistance.h"
+#include "clumps/body_spheres.h"
+#include "coupling/sphere_forces.h"
+#include "exchange/fields.h"
+
+namespace clay {
+
+using LAMMPS_NS::BodySphere;
+
+/// What is told of a body.
+struct BodyState {
+  double volume = 0, mass = 0;     ///< [m3, kg]
+  double tag = 0;
+  std::array<double, 3> impulse{}; ///< received since the last exchange [N s]
+};
+
+/// Puts the listed spheres into the message, numbers them in their rows, and takes
+/// their impulses out of these. Spheres that are kept `still` have no velocity.
+/// Returns the sum of the impulses [N s]. The message must be large enough.
+std::array<double, 3> pack_free(const std::vector<int> &list, const SphereArrays &spheres,
+                                double *const *fluid, bool still, Particles &message);
+
+/// Impulse [N s] of each sphere of a body, three numbers a sphere: what its own drag
+/// and load gave it in `time` [s], and its part by drag coefficient (by volume where
+/// there is no drag) of what is left of the body's impulse, which they add up to.
+std::vector<double> share_impulses(const std::vector<BodySphere> &spheres, const std::vector<BodyState> &bodies,
+                                   double *const *fluid, double *const *v, bool still, double time);
+
+/// Puts the bodies' spheres into the message from place `first` on.
+void pack_bodies(const std::vector<BodySphere> &list, const std::vector<BodyState> &bodies,
+                 const std::vector<double> &impulses, const SphereArrays &spheres, bool still, int first,
+                 Particles &message);
+
+/// The first particle of a message whose place or velocity is not finite, -1 for none.
+int first_astray(const Particles &message);
+
+/// Keeps in a sphere's row what stands in the answer at `slot`.
+void unpack(const Particles &answer, int slot, double *row);
+
+/// The same for the first n spheres so far as they have a slot, with the factors of
+/// a step dt [s]. inertia may be null where the answer has neither added mass nor
+/// torque; what is in none of the groups `movers` does not accelerate.
+void unpack_free(const Particles &answer, int n, const double *mass, const int *mask, int movers,
+                 double dt, double *const *fluid, double *const *inertia);
+
+/// Keeps the answers from place `first` on in the rows of the bodies' spheres, and
+/// sums them up for each body; Flow is BodyDrag or BodyFlow.
+template <class Flow>
+std::vector<Flow> unpack_bodies(const Particles &answer, int first, const std::vector<BodySphere> &list, int bodies,
+                                double *const *fluid)
+{
+  std::vector<Flow> sums(bodies);
+  const bool weighted = answer.fields().has(Field::addedMass);
+  int slot = first;
+  for (const BodySphere &s : list) {
+    double *row = fluid[s.atom];
+    unpack(answer, slot, row);
+    sums[s.body].add_sphere(s.r, row[FluidRow::DRAG], row + FluidRow::VELOCITY, row + FluidRow::LOAD);
+    if (weighted) sums[s.body].add_mass(s.r, answer[Field::addedMass][slot]);
+    slot++;
+  }
+  return sums;
+}
+
+}  // namespace clay

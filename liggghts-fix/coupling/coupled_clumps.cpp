@@ -109,30 +109,20 @@ const clay::ClumpDrag &CoupledClumps::drag(int ibody) const
 
 double CoupledClumps::diameter(int ibody) const { return drag(ibody).diameter(); }
 
-/* ----------------------------------------------------------------------
-   the CFD half makes of a sphere's volume V, the diameter d and the factor c
-   K = c V 18 mu/d2 times the hindrance: over a body that is to be its drag
-   alone along its slip, as far as it is known before the answer
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 void CoupledClumps::prepare()
 {
-  const int nbody = bodies_->n_body();
-  factor_.resize(nbody);
-  growth_.resize(nbody);
-  for (int b = 0; b < nbody; b++) {
+  told_.resize(bodies_->n_body());
+  for (size_t b = 0; b < told_.size(); b++) {
     const clay::ClumpDrag &d = drag(b);
     const Vector3d slip = bodies_->axes(b).transpose() * bodies_->slip(b);
-    growth_[b] = bodies_->knows_fluid(b) ? d.growth(slip, rho_ * d.diameter() * slip.norm() / mu_) : 1;
-    factor_[b] = d.stokes(slip) * growth_[b] * d.diameter() * d.diameter() /
-                 (18 * bodies_->body_volume(b));
+    const double Re = bodies_->knows_fluid(b) ? clay::clump_reynolds(d, slip, rho_, mu_) : -1.0;
+    told_[b] = clay::told_drag(d, slip, Re, bodies_->body_volume(b));
   }
 }
 
-/* ----------------------------------------------------------------------
-   the sum of K over what was told for creeping flow is the viscosity times
-   growth with the Reynolds number and hindrance; the growth is renewed
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 void CoupledClumps::set_flow(int b, const BodyFlow &flow)
 {
@@ -141,8 +131,6 @@ void CoupledClumps::set_flow(int b, const BodyFlow &flow)
   Vector3d u, w;
   flow.motion(axes, u, w);
   const Vector3d slip = axes.transpose() * (u - bodies_->velocity(b));
-  const double growth = d.growth(slip, rho_ * d.diameter() * slip.norm() / mu_);
-  const double told =
-      factor_[b] * 18 * bodies_->body_volume(b) / (d.diameter() * d.diameter()) / growth_[b];
-  bodies_->set_flow(b, flow, flow.K / told / growth_[b] * growth);
+  const double Re = clay::clump_reynolds(d, slip, rho_, mu_);
+  bodies_->set_flow(b, flow, clay::answered_scale(d, told_[b], bodies_->body_volume(b), flow.K, slip, Re));
 }

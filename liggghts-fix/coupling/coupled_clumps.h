@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clumps/body_resistance.h"
-#include "resistance/clump_drag.h"
+#include "coupling/told_drag.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
@@ -31,7 +31,7 @@ class CoupledClumps : protected Pointers {
   /// Works out what to tell of this rank's bodies.
   void prepare();
   double diameter(int ibody) const;                      ///< [m], for the drag law
-  double factor(int ibody) const { return factor_[ibody]; }  ///< by it and the body's volume
+  double factor(int ibody) const { return told_[ibody].factor; }  ///< by it and the body's volume
 
   /// Takes in what a body's spheres were answered.
   void set_flow(int ibody, const BodyFlow &flow);
@@ -44,7 +44,7 @@ class CoupledClumps : protected Pointers {
   FixMultisphereClump *bodies_ = nullptr;
   std::vector<std::unique_ptr<clay::ClumpDrag>> drags_;  // by clump type
   double mu_ = 1, rho_ = 1;
-  std::vector<double> factor_, growth_;  // of each body, as last told
+  std::vector<clay::ToldDrag> told_;  // of each body
 };
 
 }  // namespace LAMMPS_NS

@@ -2,10 +2,8 @@
 #include "coupling/coupling_report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "atom.h"
 #include "comm.h"
@@ -31,7 +29,7 @@ using namespace LAMMPS_NS;
 CouplingReport::CouplingReport(LAMMPS *lmp, const std::string &file, double seconds) :
   Pointers(lmp), file_(file), seconds_(seconds), counted_(false),
   cpu_began_(0), cpu_wait_(0), cpu_waited_(0), cpu_(0.), began_(0.), last_line_(0.), wall_(0.), output_(0.), steps_(0), particles_(0),
-  start_time_(0.), overlap_(0.), now_(0.), pair_{0,0}
+  start_time_(0.), overlap_(0.)
 {
 }
 
@@ -65,44 +63,29 @@ void CouplingReport::start()
 }
 
 /* ----------------------------------------------------------------------
-   largest overlap of two spheres of different bodies, over the smaller
-   one's diameter; this rank's pairs only, not of two that no fix moves
+   of this rank's pairs
 ------------------------------------------------------------------------- */
 
-double CouplingReport::max_overlap()
+void CouplingReport::measure_overlap()
 {
   Pair *gran = force->pair_match("gran",0);
-  if (!gran || !gran->list) return 0.;
-  const NeighList *list = gran->list;
-  double **x = atom->x;
-  const double *radius = atom->radius;
-  const int *mask = atom->mask, movers = moving_groups(lmp);
-
-  double worst = 0.;
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    const int *neighbours = list->firstneigh[i];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      const int j = neighbours[jj] & NEIGHMASK;
-      const double dx = x[i][0]-x[j][0], dy = x[i][1]-x[j][1], dz = x[i][2]-x[j][2];
-      const double sum = radius[i] + radius[j], r2 = dx*dx + dy*dy + dz*dz;
-      if (r2 >= sum*sum || !((mask[i] | mask[j]) & movers)) continue;
-      const double overlap = 0.5*(sum - sqrt(r2))/std::min(radius[i],radius[j]);
-      if (overlap <= worst) continue;
-      worst = overlap;
-      pair_[0] = atom->tag[i];
-      pair_[1] = atom->tag[j];
-    }
+  clay::NeighbourList list;
+  list.mask = NEIGHMASK;
+  if (gran && gran->list) {
+    list.n = gran->list->inum;
+    list.spheres = gran->list->ilist;
+    list.counts = gran->list->numneigh;
+    list.neighbours = gran->list->firstneigh;
   }
-  return worst;
+  now_ = clay::largest_overlap(list,atom->x,atom->radius,atom->mask,moving_groups(lmp),atom->tag,now_);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void CouplingReport::exchange(const clay::DemSession &session, bool last)
 {
-  now_ = max_overlap();
-  overlap_ = std::max(overlap_,now_);
+  measure_overlap();
+  overlap_ = std::max(overlap_,now_.depth);
   if (seconds_ <= 0.) return;
   // every rank must come to the same decision: the first rank's clock counts
   int due = last || MPI_Wtime() - last_line_ >= seconds_;
@@ -118,22 +101,19 @@ void CouplingReport::line(const clay::DemSession &session)
 {
   double mine[2] = {overlap_,session.reported()}, worst[2];
   MPI_Allreduce(mine,worst,2,MPI_DOUBLE,MPI_MAX,world);
-  Fix *curve = modify->find_fix_style("settling/curve",0);
-  const double interface = curve ? curve->compute_vector(0) : 0.;
+  clay::Progress now;
+  if (Fix *curve = modify->find_fix_style("settling/curve",0)) now.interface = curve->compute_vector(0);
   if (comm->me) return;
 
-  const double done = double(update->ntimestep - update->firststep)
-                    / std::max<bigint>(1,update->laststep - update->firststep);
-  const double spent = MPI_Wtime() - began_;
-  const long eta = done > 0. ? lround(spent*(1. - done)/done) : 0;
-
-  char text[256];
-  int n = snprintf(text,sizeof text,"t = %.4f s  %5.1f %%  ETA %ld:%02ld",
-                   update->get_cur_time(),100.*done,eta/60,eta%60);
-  if (curve) n += snprintf(text+n,sizeof text-n,"  interface %.4f m",interface);
-  snprintf(text+n,sizeof text-n,"  overlap/d %.2e  momentum %.1e",worst[0],worst[1]);
-  if (screen) { fprintf(screen,"clayFoam: %s\n",text); fflush(screen); }
-  if (logfile) fprintf(logfile,"clayFoam: %s\n",text);
+  now.time = update->get_cur_time();
+  now.done = double(update->ntimestep - update->firststep)
+           / std::max<bigint>(1,update->laststep - update->firststep);
+  now.spent = MPI_Wtime() - began_;
+  now.overlap = worst[0];
+  now.momentum = worst[1];
+  const std::string text = now.line();
+  if (screen) { fprintf(screen,"clayFoam: %s\n",text.c_str()); fflush(screen); }
+  if (logfile) fprintf(logfile,"clayFoam: %s\n",text.c_str());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -156,36 +136,35 @@ void CouplingReport::finish(const clay::DemSession &session, int interval, doubl
   const int clumps = ms ? ms->n_body_all() : 0;
 
   if (comm->me || file_.empty()) return;
-  nlohmann::ordered_json j;
-  j["program"] = universe->version;
-  j["ranks"] = comm->nprocs;
-  j["simulated_s"] = update->get_cur_time() - start_time_;
-  j["wall_s"] = worst[0];
-  j["dem_s"] = worst[0] - timing.exchange - timing.waiting - output_;
-  j["exchange_s"] = worst[1];
-  j["waiting_s"] = worst[2];
-  j["output_s"] = worst[3];
-  j["dem_cpu_s"] = worst[6];
-  j["dem_steps"] = steps_;
-  if (Fix *rest = modify->find_fix_style("rest/bed",0)) {
-    j["dem_steps_left_out"] = rest->compute_vector(0);
-    j["rest_height_missed_m"] = rest->compute_vector(1);
-    j["rest_wakings"] = rest->compute_vector(2);
-  }
-  j["exchanges"] = timing.exchanges;
-  j["bytes_sent"] = bytes;
-  j["particles"] = particles_;
-  j["particles_lost"] = std::max(0L,particles_ - long(now));
-  j["clumps"] = clumps;
-  j["max_overlap_over_d"] = worst[4];
-  j["max_wall_overlap_over_d"] = worst[5];
-  j["settings"] = {{"timestep_s",update->dt}, {"coupling_interval_steps",interval},
-                   {"coupling_interval_s",update->dt*interval}};
-  for (const auto &s : settings_) j["settings"][s.first] = s.second;
-  j["warnings"] = warnings_;
+  clay::RunMeasures run;
+  run.program = universe->version;
+  run.ranks = comm->nprocs;
+  run.simulated = update->get_cur_time() - start_time_;
+  run.wall = worst[0];
+  run.exchange = worst[1];
+  run.waiting = worst[2];
+  run.output = worst[3];
+  run.rankExchange = timing.exchange;
+  run.rankWaiting = timing.waiting;
+  run.rankOutput = output_;
+  run.cpu = worst[6];
+  run.steps = steps_;
+  run.exchanges = timing.exchanges;
+  run.bytesSent = bytes;
+  if (Fix *rest = modify->find_fix_style("rest/bed",0))
+    run.rest = {{rest->compute_vector(0),rest->compute_vector(1),rest->compute_vector(2)}};
+  run.particles = particles_;
+  run.particlesLost = std::max(0L,particles_ - long(now));
+  run.clumps = clumps;
+  run.overlap = worst[4];
+  run.wallOverlap = worst[5];
+  run.timestep = update->dt;
+  run.interval = interval;
+  run.settings = settings_;
+  run.warnings = warnings_;
 
   std::ofstream out(file_);
-  out << j.dump(2) << '\n';
+  out << run.json();
   if (!out)
     error->one(FLERR,("Fix couple/foam: cannot write the stats file '" + file_ + "'").c_str());
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "coupling/run_measures.h"
 #include "pointers.h"
 
 namespace clay { class DemSession; }
@@ -32,9 +33,9 @@ class CouplingReport : protected Pointers {
   void finish(const clay::DemSession &session, int interval, double wall_overlap);
 
   /// Largest overlap over d at the last exchange on this rank, and whose it is.
-  double overlap() const { return now_; }
-  int first() const { return pair_[0]; }
-  int second() const { return pair_[1]; }
+  double overlap() const { return now_.depth; }
+  int first() const { return now_.first; }
+  int second() const { return now_.second; }
 
   /// A setting for dem.json.
   void setting(const std::string &name, const std::string &value) { settings_.push_back({name, value}); }
@@ -43,7 +44,7 @@ class CouplingReport : protected Pointers {
   void warn(const std::string &text);
 
  private:
-  double max_overlap();
+  void measure_overlap();
   void line(const clay::DemSession &session);
 
   std::string file_;
@@ -54,8 +55,8 @@ class CouplingReport : protected Pointers {
   double began_, last_line_, wall_, output_;
   long steps_, particles_;
   std::vector<std::pair<std::string,std::string>> settings_;
-  double start_time_, overlap_, now_;
-  int pair_[2];  // tags of the two that overlap most
+  double start_time_, overlap_;
+  clay::Overlap now_;  // the largest at the last exchange
   std::vector<std::string> warnings_;
 };
 

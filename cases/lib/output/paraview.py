@@ -1,12 +1,12 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """A run's spheres as files that ParaView opens, written by meshio.
 
-Measured on Debian 12, packages beyond those a run needs anyway, and times of 51
-dumps of 1890 spheres and of one of 200 thousand:
+Measured on Debian 12: packages beyond those a run needs anyway, time to install
+them; time to write 51 dumps of 1890 spheres, one of 200 thousand, and to load it:
 
-    hand-written (.vtp)                   0.13 s    0.42 s
-    meshio (.vtu)      4 packages,  2 MB  0.10 s    0.14 s   and 0.2 s to load it
-    vtk (.vtp)        22 packages, 84 MB  0.26 s    0.27 s   and 0.05 s
+    hand-written (.vtp)                         0.13 s  0.42 s
+    meshio (.vtu)      4 packages,  2 MB,  4 s  0.10 s  0.14 s  0.2 s
+    vtk (.vtp)        22 packages, 84 MB, 19 s  0.26 s  0.27 s  0.05 s
 
 A .vtu is 8 % larger than a .vtp; VTK reads the same values from all three."""
 

@@ -30,7 +30,8 @@ def parser():
     p.add_argument("--most", type=int, default=4, metavar="N", help="greatest number of segments, 1 to 4 (4)")
     p.add_argument("--level", type=float, default=95.0, metavar="P", help="of the intervals, percent (95)")
     p.add_argument("--samples", type=int, default=400, metavar="N", help="of the bootstrap (400)")
-    p.add_argument("--from", type=float, dest="begin", metavar="T", help="leave out what is earlier, in the file's unit")
+    p.add_argument("--from", type=float, dest="begin", metavar="T",
+                   help="leave out what is earlier, in the file's unit")
     p.add_argument("--to", type=float, dest="end", metavar="T", help="leave out what is later")
     p.add_argument("--out", metavar="DIR", help="where stages.json and stages.png go (beside the curve)")
     return p
@@ -104,11 +105,13 @@ def table(fit, stages, names, scale):
     for k, slope in enumerate(fit.slopes):
         low, high = fit.slopes_ci[k]
         lines.append(f"  {k + 1:<9}{fit.knots[k]:>9.4g}{fit.knots[k + 1]:>9.4g}  {'':<6}{slope:>11.4g}  "
-                     + f"{low:.4g} to {high:.4g}".ljust(24) + ("" if fit.linear[k] else "  bends") + ("  at rest" if low <= 0 <= high else ""))
+                     + f"{low:.4g} to {high:.4g}".ljust(24) + ("" if fit.linear[k] else "  bends")
+                     + ("  at rest" if low <= 0 <= high else ""))
     for k, at in enumerate(fit.breaks):
         low, high = fit.breaks_ci[k]
         days = f" = {at * scale / 86400:.3g} d in the laboratory" if scale and time == "s" else ""
-        lines.append(f"  break {k + 1} at {at:.4g} {time}, {100 * fit.level:g} % interval {low:.4g} to {high:.4g}{days}")
+        lines.append(f"  break {k + 1} at {at:.4g} {time}, {100 * fit.level:g} % interval {low:.4g} to "
+                     f"{high:.4g}{days}")
     lines.append(f"  {fit.message}")
     lines.append(f"  misfit {fit.rms:.3g} {height} rms; {fit.independent:.0f} independent points")
     words = (f"  settling stages: {stages.count}"

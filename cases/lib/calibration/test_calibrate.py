@@ -70,9 +70,11 @@ class DataTest(unittest.TestCase):
 
     def test_bad_rows_by_line(self):
         good = [f"{d},{0.3 - 0.01 * d}" for d in range(15)]
-        for row, words in (("1;2", "line 4: '1;2': must be days and height"), ("a,0.2", "line 4: 'a,0.2': must be two numbers"),
+        for row, words in (("1;2", "line 4: '1;2': must be days and height"),
+                           ("a,0.2", "line 4: 'a,0.2': must be two numbers"),
                            ("2,nan", "line 4.*must be finite"), ("-3,0.2", "line 4: day -3: must be 0 or more"),
-                           ("2.5,0", "line 4: height 0: must be above 0"), ("1,0.2", "line 4: day 1 does not come after day 2"),
+                           ("2.5,0", "line 4: height 0: must be above 0"),
+                           ("1,0.2", "line 4: day 1 does not come after day 2"),
                            ("3,0.2,1", "line 4: '3,0.2,1': must be days and height")):
             with self.assertRaisesRegex(CaseError, words):
                 self.read("\n".join([*good[:3], row, *good[3:]]))

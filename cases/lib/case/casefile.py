@@ -124,7 +124,9 @@ class Case:
     @staticmethod
     def _check_sets(key, entry):
         """Refuses an entry `sets` that is not {choice: {key: value}} of all choices."""
-        if "sets" in entry and (sorted(entry["sets"]) != sorted(entry.get("choices", [])) or entry["sets"][entry["value"]]):
+        if "sets" not in entry:
+            return
+        if sorted(entry["sets"]) != sorted(entry.get("choices", [])) or entry["sets"][entry["value"]]:
             raise CaseError(f"{key}: sets: must hold an object for each of the choices, "
                             f"an empty one for {entry['value']}")
 

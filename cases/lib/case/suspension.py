@@ -56,7 +56,8 @@ def resolve(values):
     if now("fill_height") == "tube_height":
         found["fill_height"] = values["tube_height"]
     if "fill_height" in values and now("fill_height") > values["tube_height"]:
-        raise CaseError(f"fill_height = {now('fill_height')} m: must be at most tube_height = {values['tube_height']} m")
+        raise CaseError(f"fill_height = {now('fill_height')} m: must be at most "
+                        f"tube_height = {values['tube_height']} m")
     if "forces" in values:
         named = values["forces"]
         if named == "auto":

@@ -48,12 +48,14 @@ class SettingsTest(unittest.TestCase):
         fewer = applied("clump-half", "solids=7")[0].derive(1, 1)
         self.assertLess(fewer["solid_fraction"], 0.5 * plain["solid_fraction"])
         self.assertLess(fewer["clumps"], 65)
-        self.assertAlmostEqual(applied("clump-half", "temperature=20")[0].derive(1, 1)["viscosity"], 1.002e-3, delta=3e-6)
+        self.assertAlmostEqual(applied("clump-half", "temperature=20")[0].derive(1, 1)["viscosity"], 1.002e-3,
+                               delta=3e-6)
 
     def test_what_decides_nothing(self):
         for name, words, says in (
                 ("clump-half", ["solids=7", "clumps=100"], "solids = 7 decides nothing: clumps = 100 is set, too"),
-                ("clump-half", ["solid_fraction=0.3", "clumps=135"], "solid_fraction = 0.3 decides nothing: clumps = 135"),
+                ("clump-half", ["solid_fraction=0.3", "clumps=135"],
+                 "solid_fraction = 0.3 decides nothing: clumps = 135"),
                 ("sphere-half", ["solids=7", "solid_fraction=0.1"], "solids = 7 decides nothing: solid_fraction = 0.1"),
                 ("sphere-half", ["solids=7", "spheres=10"], "solids = 7 decides nothing: spheres = 10"),
                 ("rp-04a", ["temperature=20", "viscosity=1e-3", "fluid_density=998"],

@@ -59,7 +59,8 @@ def draw(number, made, options):
         ax.legend(loc="upper right")
     c = columns["half"]
     return fig, (
-        f"Settling curves of uncharged spheres in the full and half size column, and Kynch's theory with the flux of the "
-        f"running drag law ({c.law.name}): no number of it is fitted to the curves; the bed's solid fraction, {packed:.3f}, "
-        f"is that of the settled half-size run. Dotted: the same with the start from rest by that law (lag {c.start.lag:.3f} s). "
-        f"Speed of the top of the solids: {'; '.join(said)}. Runs: {made['full'].words()}; {made['half'].words()}.")
+        "Settling curves of uncharged spheres in the full and half size column, and Kynch's theory with the flux of "
+        f"the running drag law ({c.law.name}): no number of it is fitted to the curves; the bed's solid fraction, "
+        f"{packed:.3f}, is that of the settled half-size run. Dotted: the same with the start from rest by that law "
+        f"(lag {c.start.lag:.3f} s). Speed of the top of the solids: {'; '.join(said)}. Runs: {made['full'].words()}; "
+        f"{made['half'].words()}.")

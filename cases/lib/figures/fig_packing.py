@@ -77,10 +77,10 @@ def _two(made):
     return fig, (
         f"Packings in the half-size tube ({2e3 * a['tube_radius']:.1f} mm by {1e3 * a['tube_height']:.0f} mm), at the "
         f"right of each its lower 45 % enlarged. (a) {a['spheres']:.0f} spheres of {1e3 * a['sphere_radius']:.0f} mm "
-        f"radius, solid fraction {a['solid_fraction']:.4f}, by radial expansion, seed {a['seed']}. (b) {b['clumps']:.0f} "
-        f"clumps of 14 spheres, coloured by their number, half illite and half kaolinite, solid fraction "
-        f"{b['solid_fraction']:.4f}, by packmol, seed {b['seed']}. The state at the start of the runs sphere-half and "
-        f"clump-half (packing=packmol, clumps={b['clumps']:.0f}).")
+        f"radius, solid fraction {a['solid_fraction']:.4f}, by radial expansion, seed {a['seed']}. (b) "
+        f"{b['clumps']:.0f} clumps of 14 spheres, coloured by their number, half illite and half kaolinite, solid "
+        f"fraction {b['solid_fraction']:.4f}, by packmol, seed {b['seed']}. The state at the start of the runs "
+        f"sphere-half and clump-half (packing=packmol, clumps={b['clumps']:.0f}).")
 
 
 def _four(made):

@@ -41,8 +41,8 @@ def _shared(runs):
     overlap = max(r.summary["max_overlap_over_d"] for r in runs)
     return (f"half size column, each sample at its own solids, height, temperature and charge "
             f"(Tables 3 and 5), cut-off {1e3 * v['cutoff']:.3g} mm, packing {v['packing']} {v['seed']}, k = "
-            f"{v['stiffness']:.4g} N/m, drag {v['drag']}; {v['end']:.4g} s simulated; Re up to {reynolds:.0f}, overlap up to "
-            f"{100 * overlap:.2g} % of d")
+            f"{v['stiffness']:.4g} N/m, drag {v['drag']}; {v['end']:.4g} s simulated; Re up to {reynolds:.0f}, overlap "
+            f"up to {100 * overlap:.2g} % of d")
 
 
 def _ten(made):
@@ -75,7 +75,8 @@ def _ten(made):
         ax.set_xlabel("time in the laboratory [days]")
     whole.legend(loc="upper right", handlelength=2.8, title="solids by mass, charge of a sphere", alignment="left")
     words = "; ".join(
-        f"{sample.upper()} ({made[sample].values['clumps']:.0f} clumps, {made[sample].values['temperature']:g} C) " + ", ".join(f"{-s:.3g}" for s in found.slopes) + " %/d"
+        f"{sample.upper()} ({made[sample].values['clumps']:.0f} clumps, {made[sample].values['temperature']:g} C) "
+        + ", ".join(f"{-s:.3g}" for s in found.slopes) + " %/d"
         + (f", first stage to day {found.breaks[0]:.2g}" if found.count > 1 else "") for sample, found in slopes)
     return fig, (f"Settling curves of the four samples, computed: {_shared([made[s] for s in labcurve.SAMPLES])}. "
                  f"Falling speed of the stages found: {words}.")
@@ -108,14 +109,16 @@ def _eleven(made, data):
         ax.set_ylabel("upper interface over its\nheight at the start [%]")
     for ax in axes[1]:
         ax.set_xlabel("time in the laboratory [days]")
-    against = "made-up data" if len(data) == 0 else "curves from the laboratory" + (", where there are," if invented else "")
-    caption = (f"The four samples' runs against {against} with the charges of Table 5 and the time scale "
-               f"that brings each run nearest to its data ({'; '.join(said)}; the paper's is 9.49e5): {_shared(runs)}. ")
+    against = "made-up data"
+    if data:
+        against = "curves from the laboratory" + (", where there are," if invented else "")
+    caption = (f"The four samples' runs against {against} with the charges of Table 5 and the time scale that "
+               f"brings each run nearest to its data ({'; '.join(said)}; the paper's is 9.49e5): {_shared(runs)}. ")
     if invented:
-        caption += (f"Triangles: MADE-UP data, not measured. This project made them by a run of the same sample with another "
-                    f"packing (seed {labcurve.MADE_SEED}), time scale {runs[0].values['time_scale']:.3g}, and noise of "
-                    f"{1e3 * labcurve.MADE_NOISE:g} mm: they show how such a comparison looks, and how far packings differ. "
-                    f"The paper's own data are not published; nothing here is compared with them.")
+        caption += ("Triangles: MADE-UP data, not measured. This project made them by a run of the same sample with "
+                    f"another packing (seed {labcurve.MADE_SEED}), time scale {runs[0].values['time_scale']:.3g}, and "
+                    f"noise of {1e3 * labcurve.MADE_NOISE:g} mm: they show how such a comparison looks, and how far "
+                    "packings differ. The paper's own data are not published; nothing here is compared with them.")
     return fig, caption
 
 

@@ -45,9 +45,11 @@ def draw(number, made, options):
     bar.set_label("fluid speed [mm/s]")
     bar.ax.grid(False)
     last = found[-1]
-    what = "sphere column" if number == 5 else f"clump column {run.summary['case'].upper()}, clumps in colours of their own,"
+    what = "sphere column"
+    if number != 5:
+        what = f"clump column {run.summary['case'].upper()}, clumps in colours of their own,"
     return fig, (
-        f"The {what} from 0 to {last.time * run.days:.3g} days in the laboratory ({last.time:.3g} s simulated): particles, "
-        f"and beside them the fluid's speed in the cells that the plane y = 0 cuts, with arrows of its direction. "
-        f"Times at equal distances along the curve of mean height over time. Fastest: {1e3 * top:.0f} mm/s; at the end "
-        f"{1e3 * last.top_speed:.1f} mm/s. {run.words()}.")
+        f"The {what} from 0 to {last.time * run.days:.3g} days in the laboratory ({last.time:.3g} s simulated): "
+        "particles, and beside them the fluid's speed in the cells that the plane y = 0 cuts, with arrows of its "
+        f"direction. Times at equal distances along the curve of mean height over time. Fastest: {1e3 * top:.0f} mm/s; "
+        f"at the end {1e3 * last.top_speed:.1f} mm/s. {run.words()}.")

@@ -73,7 +73,8 @@ def parser():
     p.add_argument("numbers", nargs="*", metavar="N", help="only these figures (all)")
     p.add_argument("--data", action="append", metavar="[SAMPLE=]FILE",
                    help="figure 11: a sample's curve from the laboratory, a CSV of days and heights; SAMPLE is rp-04a, "
-                        "rp-05a, rp-07a or rp-15a, if the file's name does not tell. Samples without one get made-up data")
+                        "rp-05a, rp-07a or rp-15a, if the file's name does not tell. Samples without one get made-up "
+                        "data")
     p.add_argument("--out", metavar="DIR", help="where the pictures go (results/figures)")
     p.add_argument("--runs", metavar="DIR", help="where the runs are kept (results/runs)")
     p.add_argument("--jobs", type=int, metavar="N", help="runs at once (half the cores)")

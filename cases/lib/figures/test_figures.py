@@ -92,7 +92,8 @@ class DrawnTest(Folder):
         made = {}
         for k, sample in enumerate(labcurve.SAMPLES):
             made[sample] = made_run(self.at(sample), sample, knee=0.5 + 0.05 * k)
-            made[sample + " made up"] = made_run(self.at(sample + "-m"), sample, knee=0.5 + 0.05 * k, end=11.84, seed=1001)
+            made[sample + " made up"] = made_run(self.at(sample + "-m"), sample, knee=0.5 + 0.05 * k, end=11.84,
+                                                 seed=1001)
         self.assertEqual(set(made), set(fig_samples.wanted(11, self.options)))
         caption = self.check(10, fig_samples, made)
         for sample in labcurve.SAMPLES:
@@ -100,7 +101,8 @@ class DrawnTest(Folder):
         self.assertIn("MADE-UP", self.check(11, fig_samples, made))
         self.options.data = {s: labcurve.made_up(made[s], 130.0) for s in labcurve.SAMPLES}
         for s in labcurve.SAMPLES:
-            self.options.data[s] = labcurve.Curve(self.options.data[s].days, self.options.data[s].y, "data: x.csv", False)
+            self.options.data[s] = labcurve.Curve(self.options.data[s].days, self.options.data[s].y, "data: x.csv",
+                                                  False)
         self.assertEqual(set(labcurve.SAMPLES), set(fig_samples.wanted(11, self.options)))
         self.assertNotIn("MADE-UP", self.check(11, fig_samples, made))
 
@@ -116,7 +118,8 @@ class DrawnTest(Folder):
 
     def test_runs_are_shared(self):
         self.options.quick = True
-        self.assertEqual(fig_samples.wanted(10, self.options)["rp-07a"], fig_snapshots.wanted(6, self.options)["column"])
+        self.assertEqual(fig_samples.wanted(10, self.options)["rp-07a"],
+                         fig_snapshots.wanted(6, self.options)["column"])
 
 
 class ChosenTest(unittest.TestCase):

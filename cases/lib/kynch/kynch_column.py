@@ -20,7 +20,8 @@ def refuse(name, values):
         raise CaseError(f"case {name}: its particles are not free equal spheres, for which alone Kynch's theory "
                         "with the drag law's flux stands; take sphere-half or a case like it")
     if values.get("charge", 0):
-        raise CaseError(f"case {name}: charge = {values['charge']} C: must be 0 for Kynch's theory, which has no charges")
+        raise CaseError(f"case {name}: charge = {values['charge']} C: must be 0 for Kynch's theory, which has no "
+                        "charges")
     if values["drag"] not in drag.LAWS:
         raise CaseError(f"case {name}: drag = {values['drag']}: of this law the theory has no formula; known are "
                         + ", ".join(sorted(drag.LAWS)))
@@ -42,8 +43,8 @@ class Column:
         self.d = 2 * values["sphere_radius"]
         nu = values["viscosity"] / values["fluid_density"]
         if not values["density"] > values["fluid_density"]:
-            raise CaseError(f"density = {values['density']} kg/m3: must be above fluid_density = {values['fluid_density']} "
-                            "kg/m3 for spheres to settle")
+            raise CaseError(f"density = {values['density']} kg/m3: must be above fluid_density = "
+                            f"{values['fluid_density']} kg/m3 for spheres to settle")
         try:
             self._solve(values, nu, phi_m, count)
         except ValueError as e:  # what theory asks of its arguments

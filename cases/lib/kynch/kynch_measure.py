@@ -43,7 +43,8 @@ class Record:
             self.case, self.values = summary["case"], summary["settings"]
             missing = [k for k in _NEEDED if k not in self.values]
         except OSError:
-            raise CaseError(f"{folder}: holds no summary.json; name the folder of a finished run of cases/run") from None
+            raise CaseError(f"{folder}: holds no summary.json; name the folder of a finished run of "
+                            "cases/run") from None
         except (ValueError, KeyError, TypeError):
             raise CaseError(f"{folder}/summary.json: was not written by cases/run") from None
         if missing:

@@ -119,7 +119,8 @@ class MadeUpRun(unittest.TestCase):
     def test_foreign_folders(self):
         folder = os.path.join(self.store.name, "foreign")
         os.makedirs(folder)
-        for content, words in (("[]", "was not written by cases/run"), ('{"case": "x"}', "was not written by cases/run"),
+        for content, words in (("[]", "was not written by cases/run"),
+                               ('{"case": "x"}', "was not written by cases/run"),
                                ('{"case": "x", "settings": 1}', "was not written by cases/run"),
                                ('{"case": "x", "settings": {"end": 1}}', "has no setting seed")):
             with open(os.path.join(folder, "summary.json"), "w", encoding="utf-8") as f:

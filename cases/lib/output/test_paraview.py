@@ -39,7 +39,8 @@ def arrays(path):
     for a in root.iter("DataArray"):
         raw = base64.b64decode(a.text.strip())
         assert int.from_bytes(raw[:head], "little") == len(raw) - head
-        values = np.frombuffer(raw[head:], {"Float64": "<f8", "Int64": "<i8", "Int32": "<i4", "UInt8": "u1"}[a.get("type")])
+        values = np.frombuffer(raw[head:],
+                               {"Float64": "<f8", "Int64": "<i8", "Int32": "<i4", "UInt8": "u1"}[a.get("type")])
         found[a.get("Name")] = values.reshape(-1, int(a.get("NumberOfComponents", 1))).squeeze()
     return found
 

@@ -149,7 +149,8 @@ def _read(path, shape, count):
         q = _quaternions(u @ vt)
         far = np.abs(points - _points(body, x, u @ vt)).max()
         if far > _FIT:
-            raise CaseError(f"packing = packmol: a clump's spheres are {far:.1e} radii from where a rigid clump has them")
+            raise CaseError(f"packing = packmol: a clump's spheres are {far:.1e} radii from where a rigid clump has "
+                            "them")
     return r * x, q
 
 

@@ -68,7 +68,8 @@ def finish(folder, v, curve, title):
     umf = onset(u[ramp], drop[ramp], most)
     beyond = ramp & (u > 1.2 * umf) if umf else np.zeros(len(u), dtype=bool)
     found = {"buoyant_weight_Pa": most, "height_at_rest_m": float(uniform), "porosity_at_rest": float(porosity),
-             "u_mf_m_per_s": umf, "fluidised_drop_over_weight": float(drop[beyond].mean() / most) if beyond.any() else None,
+             "u_mf_m_per_s": umf,
+             "fluidised_drop_over_weight": float(drop[beyond].mean() / most) if beyond.any() else None,
              "interface_at_rest_m": float(rest), "interface_at_end_m": float(height[-1])}
     with open(os.path.join(folder, "bed.json"), "w", encoding="utf-8") as f:
         json.dump(found, f, indent=2)

@@ -122,7 +122,8 @@ def table(s):
     rows = [
         ("wall time", f"{s['wall_s']:.1f} s for {s['simulated_s']:.4g} s simulated"),
         ("DEM half", f"{s['dem_s']:.1f} s stepping, {s['waiting_dem_s']:.1f} s waiting"),
-        ("CFD half", f"{s['cfd_s'] + (s['mapping_s'] or 0):.1f} s solving and mapping, {s['waiting_cfd_s']:.1f} s waiting"),
+        ("CFD half",
+         f"{s['cfd_s'] + (s['mapping_s'] or 0):.1f} s solving and mapping, {s['waiting_cfd_s']:.1f} s waiting"),
         ("exchange", f"{100 * s['exchange_dem_s'] / wall:.1f} % of the DEM half's time, "
                      f"{100 * s['exchange_cfd_s'] / wall:.1f} % of the CFD half's"),
         ("waiting", f"{100 * s['waiting_dem_s'] / wall:.1f} % of the DEM half's time, "

@@ -141,7 +141,8 @@ class SweepTest(unittest.TestCase):
             def work():
                 raise error
             return work
-        for error, said in ((OSError("no room"), "x: no room"), (FileNotFoundError(2, "not there", "f"), "x: f: not there"),
+        for error, said in ((OSError("no room"), "x: no room"),
+                            (FileNotFoundError(2, "not there", "f"), "x: f: not there"),
                             (CaseError("wrong"), "x: wrong")):
             errors = io.StringIO()
             with contextlib.redirect_stderr(errors):

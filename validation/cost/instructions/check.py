@@ -17,8 +17,10 @@ KERNELS = {
     "contact": ("kernel_counts", ["contact"], "clay::contactForces*"),
     "coulomb": ("kernel_counts", ["coulomb"], "clay::ChargeGroups::act*"),
     "coulomb_single": ("kernel_counts", ["coulomb_single"], "clay::ChargeGroups::act*"),
-    "overlap": ("mappingCost", ["--gtest_filter=mappingCost.onePass"], "Foam::voidFractionModels::exactOverlap::weights*"),
-    "divided": ("mappingCost", ["--gtest_filter=mappingCost.onePassDivided"], "Foam::voidFractionModels::divided::weights*"),
+    "overlap": ("mappingCost", ["--gtest_filter=mappingCost.onePass"],
+                "Foam::voidFractionModels::exactOverlap::weights*"),
+    "divided": ("mappingCost", ["--gtest_filter=mappingCost.onePassDivided"],
+                "Foam::voidFractionModels::divided::weights*"),
     "unpack": ("kernel_counts", ["packing"], "clay::unpackFields*"),
     "pack": ("kernel_counts", ["packing"], "clay::packAnswers*"),
 }

@@ -83,13 +83,15 @@ def counted(folder, words, halves):
     idle = {"OMPI_MCA_mpi_yield_when_idle": "1"}  # no instructions for waiting
     outcome = coupled.execute(words, 300, cwd=folder, env={**launch.Run(folder, 1, 1).environment(), **idle})
     if outcome.status != 0:
-        wrong = [x for x in outcome.output.splitlines() if "ERROR" in x or x.startswith(("clayFoam: ", "liggghts-clay: "))]
+        wrong = [x for x in outcome.output.splitlines()
+                 if "ERROR" in x or x.startswith(("clayFoam: ", "liggghts-clay: "))]
         raise Broken(f"{os.path.basename(folder)}: {wrong[-1:]}")
     found = {}
     for half in halves:
         parts = callgrind.parts(os.path.join(folder, half + ".counts"))
         if len(parts) < LAST + 3:
-            raise Broken(f"callgrind cut the run of the {half} half into {len(parts)} parts: has a function been renamed?")
+            raise Broken(f"callgrind cut the run of the {half} half into {len(parts)} parts: has a function been "
+                         "renamed?")
         found[half] = parts[-LAST:]
     return found
 
@@ -110,7 +112,8 @@ def together(name):
 def alone(change):
     """Instructions a step of the DEM half of the plain scene alone, its script changed."""
     folder = prepared("alone-" + change.__name__, *SCENES["plain"][:2], change)
-    words = ["mpirun", "-np", "1", *callgrind.words(os.path.join(folder, "dem.counts"), "LAMMPS_NS::Thermo::compute(int)"),
+    words = ["mpirun", "-np", "1",
+             *callgrind.words(os.path.join(folder, "dem.counts"), "LAMMPS_NS::Thermo::compute(int)"),
              "liggghts-clay", "-in", "in.liggghts", "-log", "DEM/log", "-var", "fluid", "alone"]
     parts = counted(folder, words, ("dem",))["dem"]
     return sum(p.total() for p in parts) / (LAST * STEPS)
@@ -125,8 +128,8 @@ def spent(found, feature):
 
 def unused_charges(text):
     return text.replace("pair_style gran/lean model hooke/stiffness tangential history\npair_coeff * *",
-                        "pair_style hybrid/overlay gran/lean model hooke/stiffness tangential history coul/clump 0.012\n"
-                        "pair_coeff * * gran/lean\npair_coeff * * coul/clump 0.")
+                        "pair_style hybrid/overlay gran/lean model hooke/stiffness tangential history "
+                        "coul/clump 0.012\npair_coeff * * gran/lean\npair_coeff * * coul/clump 0.")
 
 
 def unused_bodies(text):
@@ -159,4 +162,5 @@ def run(checks):
             sent[half] = json.load(f)
     each = sent["dem"]["particles"] * sent["dem"]["exchanges"] * 8
     for half, doubles in (("dem", 13), ("cfd", 8)):
-        checks.equal(f"numbers a sphere and exchange on the wire, from the {half} half", int(sent[half]["bytes_sent"] / each), doubles)
+        checks.equal(f"numbers a sphere and exchange on the wire, from the {half} half",
+                     int(sent[half]["bytes_sent"] / each), doubles)

@@ -57,9 +57,11 @@ def run(checks):
         v, exact = np.array(m[key]), alone(t, rho_p)
         worst = np.abs(v - exact).max() / np.abs(exact).max()
         checks.at_most(f"density ratio {rho_p / RHO:g}: largest error of v(t) over v at the end", float(worst), 0.01)
-        checks.close(f"density ratio {rho_p / RHO:g}: acceleration at the start [m/s2]", v[0] / t[0], exact[0] / t[0], 0.01)
+        checks.close(f"density ratio {rho_p / RHO:g}: acceleration at the start [m/s2]", v[0] / t[0], exact[0] / t[0],
+                     0.01)
         lines += [(f"alone, {rho_p / RHO:g}", t, v / exact[-1], "line"), (None, t, exact / exact[-1], "dashed")]
-    checks.at_most("largest residual of the ledger of momentum", coupled.summary(folder)["max_momentum_residual"], 1e-10)
+    checks.at_most("largest residual of the ledger of momentum", coupled.summary(folder)["max_momentum_residual"],
+                   1e-10)
 
     with_it, phi = "pressureGradient+buoyancy+addedMass", 4 / 3 * np.pi * 1e-9 / 2.4e-3**3
     dense = []
@@ -79,10 +81,12 @@ def run(checks):
         errors[steps] = float(np.abs(v - exact).max() / np.abs(exact).max())
     checks.close("ratio 0.1: order of the error in the coupling interval", np.log2(errors[8] / errors[2]) / 2, 1.0, 0.2)
     folder, t, v = column("lightest", 1, with_it, 20)
-    checks.at_most("ratio 0.001: largest speed, over the end's", float(np.abs(v).max() / suspension(t, 1, phi)[-1]), 1.05)
+    checks.at_most("ratio 0.001: largest speed, over the end's", float(np.abs(v).max() / suspension(t, 1, phi)[-1]),
+                   1.05)
     checks.close("ratio 0.001: speed at the end [m/s]", v[-1], suspension(t, 1, phi)[-1], 0.02)
     # G of Foam::momentumLedger::follow is four times the inertia there
-    packed, phi_packed = ("spacing=2.1e-3", "size_x=0.0168", "size_y=0.0168", "size_z=0.0504"), 4 / 3 * np.pi * 1e-9 / 2.1e-3**3
+    packed = ("spacing=2.1e-3", "size_x=0.0168", "size_y=0.0168", "size_z=0.0504")
+    phi_packed = 4 / 3 * np.pi * 1e-9 / 2.1e-3**3
     fast = np.abs(column("packed", 1, with_it, 20, *packed)[2]).max()
     checks.at_most("ratio 0.001 at a solid fraction of 0.45: largest speed, over the end's",
                    float(fast / suspension(t, 1, phi_packed)[-1]), 1.1)

@@ -28,7 +28,8 @@ def _flow(folder):
 def run(checks):
     curves = []
     for name, model, top in (("model A, open", "A", "open"), ("model B, closed", "B", "wall")):
-        folder = coupled.finished("bed-at-rest", "bed-at-rest/" + model, "--set", f"model={model}", "--set", f"top={top}")
+        folder = coupled.finished("bed-at-rest", "bed-at-rest/" + model, "--set", f"model={model}", "--set",
+                                  f"top={top}")
         rows = coupled.columns(os.path.join(folder, "DEM", "floor.csv"))
         t, push = np.array(rows["time_s"]), np.array(rows["floor_N"])
         late = float(push[t > 0.15].mean())
@@ -39,7 +40,8 @@ def run(checks):
         checks.at_most(f"{name}: momentum residual", coupled.summary(folder)["max_momentum_residual"], 1e-10)
         curves.append((name, t, push / _WEIGHT, "line"))
         # spheres as heavy as the fluid, none touching: gravity and buoyancy cancel
-        words = [w for x in (f"model={model}", f"top={top}", "bottom=wall", "held=0", "fluid_density=2000", "velocity_from=0",
+        words = [w for x in (f"model={model}", f"top={top}", "bottom=wall", "held=0", "fluid_density=2000",
+                             "velocity_from=0",
                              "velocity_to=0", "end=0.02") for w in ("--set", x)]
         still = coupled.finished("fixed-bed-scene", "bed-at-rest/neutral-" + model, *words)
         speed, p = _flow(still)

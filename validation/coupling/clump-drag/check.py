@@ -52,8 +52,8 @@ def run(checks):
     names = list(ref["shape"])
     folder = finished("clump-drag", "clump-drag")
     plain = finished("clump-drag", "clump-drag-sum", "--set", "clump_drag=sphereSum")
-    swift = finished("clump-drag", "clump-drag-swift", "--set", "viscosity=0.01", "--set", "dem_step=1e-4", "--set", "stiffness=3",
-                     "--end", "0.5")
+    swift = finished("clump-drag", "clump-drag-swift", "--set", "viscosity=0.01", "--set", "dem_step=1e-4", "--set",
+                     "stiffness=3", "--end", "0.5")
     shared = finished("clump-drag", "clump-drag-ranks", "--dem", "2", "--cfd", "2")
 
     times, speeds = falling(folder)

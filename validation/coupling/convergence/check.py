@@ -63,13 +63,17 @@ def run(checks):
         checks.close(f"{name}: order in the DEM step, 0.3 to 0.075 ms",
                      float(np.log2((ends[0] - ends[1]) / (ends[1] - ends[2]))), 1.0, 0.1)
         changes = [abs(a - b) / SPEED for a, b in zip(ends, ends[1:])]
-        lines += [(f"{name}: change on halving the DEM step", steps[:-1], changes, "dots"), (None, steps[:-1], changes, "dashed")]
+        lines += [(f"{name}: change on halving the DEM step", steps[:-1], changes, "dots"),
+                  (None, steps[:-1], changes, "dashed")]
 
     cloud = ["bottom=wall", "top=wall", "sides=slip", "across_x=4", "across_y=4", "across_z=6", "origin_z=0.0264",
-             "stagger=1", "smoothing=diffusion", "bandwidth=6e-3", "forces=pressureGradient+buoyancy", "coupling_steps=20",
+             "stagger=1", "smoothing=diffusion", "bandwidth=6e-3", "forces=pressureGradient+buoyancy",
+             "coupling_steps=20",
              "end=0.04"]
     last = [scene(f"mesh-{n}", *cloud, f"cells_x={n}", f"cells_y={n}", f"cells_z={3 * n}")[1][-1] for n in (4, 6, 8)]
     for n, pz in zip((4, 6), last):
-        checks.close(f"speed of a falling cloud, diffusion over 6 mm: cells of {19.2 / n:.1f} mm against 2.4 mm", pz / last[2], 1.0, 0.01)
-    checks.picture(plots.compare(os.path.join(coupled.RUNS, "convergence", "convergence.png"), lines, "coupling interval or DEM step [s]",
+        checks.close(f"speed of a falling cloud, diffusion over 6 mm: cells of {19.2 / n:.1f} mm against 2.4 mm",
+                     pz / last[2], 1.0, 0.01)
+    checks.picture(plots.compare(os.path.join(coupled.RUNS, "convergence", "convergence.png"), lines,
+                                 "coupling interval or DEM step [s]",
                                  "over the speed at the start", "relaxation of an even slip", logx=True, logy=True))

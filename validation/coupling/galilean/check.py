@@ -48,8 +48,8 @@ def frames(name, cells):
 
 def run(checks):
     lines = []
-    checks.note("The frames differ by about 2 % of the speed lost. Neither finer cells nor a shorter coupling interval (0.1 to "
-                "0.4 ms) takes that away; its cause is not found.")
+    checks.note("The frames differ by about 2 % of the speed lost. Neither finer cells nor a shorter coupling interval "
+                "(0.1 to 0.4 ms) takes that away; its cause is not found.")
     for name in MODELS:
         coarse, fine = frames(name, 1), frames(name, 2)
         checks.at_least(f"{name}: speed lost to the fluid, of the start's", fine[3], 0.1)

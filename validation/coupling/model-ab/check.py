@@ -33,7 +33,8 @@ def run(checks):
                  float(drifts[0][1][-1]), 0.01)
     where = os.path.join(coupled.RUNS, "model-ab")
     checks.picture(plots.compare(os.path.join(where, "drop.png"),
-                                 [("model A", *drops[0], "dashed"), ("model B", drops[1][0][::10], drops[1][1][::10], "dots")],
+                                 [("model A", *drops[0], "dashed"),
+                                  ("model B", drops[1][0][::10], drops[1][1][::10], "dots")],
                                  "superficial velocity [m/s]", "drop over the bed [Pa]", "held bed, porosity 0.451"))
     checks.picture(plots.compare(os.path.join(where, "drift.png"),
                                  [("model A", *drifts[0], "dashed"), ("model B", *drifts[1], "dots")],

@@ -21,10 +21,11 @@ def void_fraction(folder, time):
 def run(checks):
     r = reference.table("sphere_hex_overlap_exact")
     tall = np.flatnonzero(r["z1_m"] == 1)
-    solid = 1 - void_fraction(coupled.finished("overlap-scene", "sphere-cell-overlap/cells", "--no-pictures"), "0.002").reshape(5, 5, 60)
-    flat = 1 - void_fraction(coupled.finished(
-        "overlap-scene", "sphere-cell-overlap/flat", "--no-pictures", "--set", "height=0.05", "--set", "size_z=0.85", "--set", "cells_z=17",
-        "--set", "size_x=5", "--set", "cells_x=5"), "0.002").reshape(17, 5, 5)
+    solid = 1 - void_fraction(coupled.finished("overlap-scene", "sphere-cell-overlap/cells", "--no-pictures"),
+                              "0.002").reshape(5, 5, 60)
+    flat = 1 - void_fraction(coupled.finished("overlap-scene", "sphere-cell-overlap/flat", "--no-pictures", "--set",
+                                              "height=0.05", "--set", "size_z=0.85", "--set", "cells_z=17", "--set",
+                                              "size_x=5", "--set", "cells_x=5"), "0.002").reshape(17, 5, 5)
     found = np.zeros(len(r["case"]))
     for k, row in enumerate(tall):
         found[row] = solid[2, 2, 4 * k + 2]
@@ -48,12 +49,13 @@ def run(checks):
             ("sphere-half", "divided", "2", tube), ("sphere-half", "centre", "2", tube),
             ("sphere-half", "exactOverlap", "2", (*tube, "--set", "smoothing=diffusion"))):
         where = "cells" if case == "overlap-scene" else "tube, smoothed" if len(more) > 4 else "tube"
-        folder = coupled.finished(case, f"sphere-cell-overlap/{where.replace(', ', '-')}-{scheme}-{ranks}", "--no-pictures",
-                                  "--cfd", ranks, "--set", f"void_fraction={scheme}", *more)
+        folder = coupled.finished(case, f"sphere-cell-overlap/{where.replace(', ', '-')}-{scheme}-{ranks}",
+                                  "--no-pictures", "--cfd", ranks, "--set", f"void_fraction={scheme}", *more)
         checks.at_most(f"{scheme}, {where}, 1 + {ranks} ranks: sum of the cells over that of the spheres, less 1",
                        coupled.summary(folder)["max_void_fraction_volume_error"], 1e-12)
     # a lattice of spheres, eight a cell, of which one layer stands across the periodic faces of bottom and top
-    around = ("--set", "bottom=cyclic", "--set", "top=cyclic", "--set", "gravity=0", "--set", "origin_z=0.0006", "--end", "0.001")
+    around = ("--set", "bottom=cyclic", "--set", "top=cyclic", "--set", "gravity=0", "--set", "origin_z=0.0006",
+              "--end", "0.001")
     uniform = 8 * 4 / 3 * np.pi * 1e-9 / 4.8e-3**3
     folder = coupled.finished("lattice-scene", "sphere-cell-overlap/periodic", "--no-pictures", *around)
     found_there = 1 - void_fraction(folder, "0.001")
@@ -62,6 +64,7 @@ def run(checks):
     shown = (r["overlap_m3"] > 0) & (r["case"] != "engulf")
     checks.picture(plots.compare(
         os.path.join(coupled.RUNS, "sphere-cell-overlap", "overlap.png"),
-        [("exactOverlap", np.flatnonzero(shown), np.abs(found / np.where(shown, r["overlap_m3"], 1) - 1)[shown] + 1e-17, "dots"),
+        [("exactOverlap", np.flatnonzero(shown), np.abs(found / np.where(shown, r["overlap_m3"], 1) - 1)[shown] + 1e-17,
+          "dots"),
          ("gate", [0, len(found)], [1e-9, 1e-9], "dashed")],
         "row of the table", "relative error of the overlap", "sphere and cell", logy=True))

@@ -30,7 +30,7 @@ class Body:
         self.v = m @ rows[:, 5:8] / self.m
         d = self.x - self.centre
         self.inertia = sum(mi * (di @ di * np.eye(3) - np.outer(di, di)) + 0.4 * mi * ri**2 * np.eye(3)
-                     for mi, di, ri in zip(m, d, r))
+                           for mi, di, ri in zip(m, d, r))
         self.momentum = self.m * self.v
         self.spin = self.inertia @ self.w + np.cross(self.centre, self.momentum)
         self.energy = 0.5 * self.m * self.v @ self.v + 0.5 * self.w @ self.inertia @ self.w
@@ -56,7 +56,8 @@ def free_rotation(checks):
     wanted = np.stack([ref[f"omega{k}_rad_per_s"] for k in (1, 2, 3)], axis=1)
     size = np.linalg.norm(wanted[-1])
     checks.equal("free rotation: number of times compared", len(t), len(wanted))
-    checks.at_most("free rotation: error of omega at the end, over omega", np.linalg.norm(w[-1] - wanted[-1]) / size, 1e-3)
+    checks.at_most("free rotation: error of omega at the end, over omega", np.linalg.norm(w[-1] - wanted[-1]) / size,
+                   1e-3)
     checks.at_most("free rotation: largest error of omega, over omega", np.abs(w - wanted).max() / size, 1e-3)
     q = np.stack([ref[f"q{k}"] for k in range(4)], axis=1)
     turned = np.array([turn(x) for x in q])
@@ -103,7 +104,8 @@ def collision(checks):
     before = states[closest[1] - 2][1]
     ra, rb = (p.x[0] + s * 1e-3 * n - p.centre for p, s in zip((a0, b0), (1, -1)))
     approach = n @ (before[1].v + np.cross(before[1].w, rb) - before[0].v - np.cross(before[0].w, ra))
-    yielding = sum(1 / p.m + n @ np.cross(np.linalg.solve(p.inertia, np.cross(r, n)), r) for p, r in ((a0, ra), (b0, rb)))
+    yielding = sum(1 / p.m + n @ np.cross(np.linalg.solve(p.inertia, np.cross(r, n)), r)
+                   for p, r in ((a0, ra), (b0, rb)))
     J = -2 * approach / yielding * n
     checks.at_most("collision: velocity along the normal before it [m/s]", approach, -0.5)
     after = states[closest[1] + 2][1]
@@ -115,12 +117,14 @@ def collision(checks):
         checks.at_most(f"collision: {name}, error of its spin over the change",
                        np.linalg.norm(now.w - w) / np.linalg.norm(w - was.w), 5e-3)
     P = np.linalg.norm(A.momentum + B.momentum)
-    checks.at_most("collision: change of momentum", np.linalg.norm(C.momentum + D.momentum - A.momentum - B.momentum) / P, 1e-12)
+    checks.at_most("collision: change of momentum",
+                   np.linalg.norm(C.momentum + D.momentum - A.momentum - B.momentum) / P, 1e-12)
     L = np.linalg.norm(A.spin) + np.linalg.norm(B.spin)
     checks.at_most("collision: change of angular momentum", np.linalg.norm(C.spin + D.spin - A.spin - B.spin) / L, 1e-6)
     checks.close("collision, restitution 1: energy [J]", C.energy + D.energy, A.energy + B.energy, 1e-3)
     lossy = [[Body(rows[rows[:, 1] == b + 1], radii[b], 2600).energy for b in (0, 1)]
-             for _, rows in frames(dem("clump-rotation", "clump-collision-damped", scene="collision", damping=1e6), "pair")]
+             for _, rows in frames(dem("clump-rotation", "clump-collision-damped", scene="collision", damping=1e6),
+                                   "pair")]
     checks.at_least("collision, damped springs: share of the energy that is lost",
                     1 - sum(lossy[-1]) / sum(lossy[0]), 1e-2)
     time = [s * 1e-3 for s, _ in states]

@@ -13,9 +13,10 @@ COULOMB = 8.9875517873681764e9
 
 def track(where, row, v, other, time, steps, rows=400, **more):
     """Distance vector, velocity difference, times and the energies [J]."""
-    folder = coupled.dem("coulomb-orbit", "coulomb-orbit/" + where, m=repr(row["m"]), q=repr(row["q"]), eps=repr(row["eps"]),
-                         other=repr(other), r0=repr(row["r0"]), diameter=repr(row["s"]), v=repr(v),
-                         dt=repr(time / steps), steps=steps, every=max(1, steps // rows), cutoff=repr(8 * row["r0"]), **more)
+    folder = coupled.dem("coulomb-orbit", "coulomb-orbit/" + where, m=repr(row["m"]), q=repr(row["q"]),
+                         eps=repr(row["eps"]), other=repr(other), r0=repr(row["r0"]), diameter=repr(row["s"]),
+                         v=repr(v), dt=repr(time / steps), steps=steps, every=max(1, steps // rows),
+                         cutoff=repr(8 * row["r0"]), **more)
     t = {k: np.array(x) for k, x in coupled.columns(os.path.join(folder, "DEM", "trajectory.csv")).items()}
     apart = np.array([t["x2"] - t["x1"], t["y2"] - t["y1"]])
     rate = np.array([t["vx2"] - t["vx1"], t["vy2"] - t["vy1"]])

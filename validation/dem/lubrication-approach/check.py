@@ -44,13 +44,16 @@ def run(checks):
     T = 4000 * relax
     for part in (0.2, 2.0, 20.0):
         dt = part * relax
-        time, gap = approach(f"leading-{part:g}", gap=repr(start), force=repr(resistance / T), start=repr(start / T / 2),
-                             law=["logarithm no shifted no"], dt=repr(dt), steps=int(3 * T / dt), every=max(1, int(0.02 * T / dt)))
+        time, gap = approach(f"leading-{part:g}", gap=repr(start), force=repr(resistance / T),
+                             start=repr(start / T / 2), law=["logarithm no shifted no"], dt=repr(dt),
+                             steps=int(3 * T / dt), every=max(1, int(0.02 * T / dt)))
         exact = start * np.exp(-time / T)
-        checks.at_most(f"two spheres, 1/h: largest error of the gap to 0.05 of the first, step {part:g} relaxation times",
+        checks.at_most(f"two spheres, 1/h: largest error of the gap to 0.05 of the first, step {part:g} relaxation "
+                       "times",
                        np.max(np.abs(gap / exact - 1)), 0.01)
         if part == 20:
-            curves += [("two spheres, 1/h alone", time / T, gap / A, "line"), ("exp(-t/T)", time[::8] / T, exact[::8] / A, "dots")]
+            curves += [("two spheres, 1/h alone", time / T, gap / A, "line"),
+                       ("exp(-t/T)", time[::8] / T, exact[::8] / A, "dots")]
 
     # all terms and Stokes's drag against the exact resistance: time from one gap to the next
     for name, wall, first in (("wall", 1, 0.2), ("two spheres", 0, 0.02)):
@@ -72,4 +75,5 @@ def run(checks):
         curves += [(name, time / wanted[0], gap / A, "line"),
                    (f"{name}, exact", wanted[::12] / wanted[0], gaps[::12], "dots")]
     checks.picture(plots.compare(os.path.join(coupled.RUNS, "lubrication-approach", "gap.png"), curves,
-                                 "time over T, or over that of the approach", "gap over radius", "approach through a film", logy=True))
+                                 "time over T, or over that of the approach", "gap over radius",
+                                 "approach through a film", logy=True))

@@ -36,7 +36,8 @@ def run(checks):
         deepest = SPEED / w * np.exp(-gamma / 2 / m * late) * np.sin(w * late)
         for stock, name in enumerate(("gran/lean", "gran hooke")):
             found, lasts, depth, time, gap = impact(
-                f"restitution/{name.replace('/', '-').replace(' ', '-')}-{e:g}", stock=stock, e=e, kn=repr(kn), gamman=repr(gamma / m),
+                f"restitution/{name.replace('/', '-').replace(' ', '-')}-{e:g}", stock=stock, e=e, kn=repr(kn),
+                gamman=repr(gamma / m),
                 dt=repr(tc / 2000), steps=2200)
             checks.close(f"{name}, e = {e:g}: restitution", found, e, 0.01)
             checks.close(f"{name}, e = {e:g}: duration [s]", lasts, tc, 0.01)

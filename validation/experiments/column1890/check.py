@@ -43,8 +43,8 @@ def run(checks):
     s = coupled.summary(folder)
     checks.equal("particles lost", s["particles_lost"], 0)
 
-    full = coupled.finished("column1890", "column1890/return-flow", "--end", "0.2",
-                            "--set", "ddt_void_fraction=auto", limit=600)
+    full = coupled.finished("column1890", "column1890/return-flow", "--end", "0.2", "--set", "ddt_void_fraction=auto",
+                            limit=600)
     z = reference.table("column1890_positions")["z"]
     early = np.array([0.05, 0.1, 0.2])
     exact = np.array([fall(z, 1e-3, theirs[-1], at) for at in early])
@@ -55,8 +55,8 @@ def run(checks):
     checks.at_least("and that far above CFDEM's curve at 0.2 s, in parts of the start height",
                     (mean_height(full, [0.2])[0] - theirs[2]) / theirs[0], 0.01)
     checks.note("CFDEM's run solves div(n u) = 0 without d(n)/dt, so that no fluid flows up past the falling spheres, "
-                "and they fall 4 to 5 % faster than hindered settling in a closed column has it. The case does likewise "
-                "(ddt_void_fraction = none) so as to be compared; no other case does.")
+                "and they fall 4 to 5 % faster than hindered settling in a closed column has it. The case does "
+                "likewise (ddt_void_fraction = none) so as to be compared; no other case does.")
 
     curve, more = coupled.settling(folder), coupled.settling(full)
     checks.picture(plots.compare(

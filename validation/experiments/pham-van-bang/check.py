@@ -21,8 +21,9 @@ def rms(front, t, measured, time):
 
 
 def run(checks):
-    checks.note("The bed front lags late in the run, since the run's bed is denser than the measured one: at the edge of its gate, 2.01 mm when it was last run. "
-                "Without smoothing the solid fraction grows steps two cells high: the front is 5.3 mm off in rms, and the interface 12 % slow.")
+    checks.note("The bed front lags late in the run, since the run's bed is denser than the measured one: at the edge "
+                "of its gate, 2.01 mm when it was last run. Without smoothing the solid fraction grows steps two cells "
+                "high: the front is 5.3 mm off in rms, and the interface 12 % slow.")
     lab = reference.table("phamvanbang_interfaces")
     time = lab["t_sedfoam_s"] * LAB_V / LAB_H
     upper_lab, bed_lab = lab["y_upper_interface_m"], lab["y_bed_front_m"]

@@ -27,10 +27,10 @@ def run(checks):
         viscosity = RHO * speed * D / wanted
         # Euler's response: tau = speed/(g (1 - rho/rho_p)); ten of them
         end = float(f"{10 * speed / (G * (1 - RHO / SOLID)):.1g}")
-        folder = single_sphere.run(f"roos-willmarth/Re{wanted:.0f}", size_x=0.05, size_y=0.05, size_z=0.5, cells_x=5, cells_y=5,
-                          cells_z=50, sides="slip", sphere_radius=0.5 * D, at_z=0.95, viscosity=float(viscosity),
-                          end=end, dem_step=float(end / 4000), coupling_steps=10, self_disturbance="latticeMemory",
-                          frames=2, curve_rows=200)
+        folder = single_sphere.run(f"roos-willmarth/Re{wanted:.0f}", size_x=0.05, size_y=0.05, size_z=0.5, cells_x=5,
+                                   cells_y=5, cells_z=50, sides="slip", sphere_radius=0.5 * D, at_z=0.95,
+                                   viscosity=float(viscosity), end=end, dem_step=float(end / 4000), coupling_steps=10,
+                                   self_disturbance="latticeMemory", frames=2, curve_rows=200)
         v = float(np.mean(-single_sphere.path(folder)[2][-20:]))
         found.append((v * D * RHO / viscosity, 4 / 3 * G * D * (SOLID / RHO - 1) / v**2))
     runs = np.array(found)

@@ -25,10 +25,11 @@ def run(checks):
         law = drag.terminal_velocity(D, 1120.0, rho, mu, drag_law="SchillerNaumann")
         # cells of 2 d in a box so wide that its walls do not show
         cells, side = 16, 16 * 2 * D
-        folder = single_sphere.run(f"ten-cate/{name}", size_x=side, size_y=side, size_z=side, cells_x=cells, cells_y=cells,
-                          cells_z=cells, sides="slip", bottom="slip", top="slip", sphere_radius=0.5 * D, density=1120,
-                          fluid_density=rho, viscosity=mu, at_x=0.52, at_y=0.52, at_z=0.6, end=end, dem_step=2e-4,
-                          coupling_steps=10, self_disturbance="latticeMemory", frames=2, curve_rows=200)
+        folder = single_sphere.run(f"ten-cate/{name}", size_x=side, size_y=side, size_z=side, cells_x=cells,
+                                   cells_y=cells, cells_z=cells, sides="slip", bottom="slip", top="slip",
+                                   sphere_radius=0.5 * D, density=1120, fluid_density=rho, viscosity=mu, at_x=0.52,
+                                   at_y=0.52, at_z=0.6, end=end, dem_step=2e-4, coupling_steps=10,
+                                   self_disturbance="latticeMemory", frames=2, curve_rows=200)
         t, _, v = single_sphere.path(folder)
         last = float(np.mean(-v[-len(v) // 4:]))
         checks.close(f"{name}: terminal velocity against Schiller and Naumann", last, law, 0.02)

@@ -27,8 +27,8 @@ def run(checks):
     checks.close("drop at 0.824 m/s, the last of the fixed bed [Pa]", float(found[when < 8.3][-1]),
                  float(wanted[when < 8.3][-1]), 0.05)
     if error[fixed].max() > 0.05:
-        checks.note("The drop is about 7 % high over most of the ramp. The source gives no porosity: 1 % of it is 4 % in the drop "
-                    "(here 0.44, of a packing of our own), and the drag law has no free constant. Not met.")
+        checks.note("The drop is about 7 % high over most of the ramp. The source gives no porosity: 1 % of it is 4 % "
+                    "in the drop (here 0.44, of a packing of our own), and the drag law has no free constant. Not met.")
     checks.picture(plots.compare(
         os.path.join(coupled.RUNS, "xiao-sun-bed", "drop.png"),
         [("Xiao and Sun 2011", 0.1 * when[when < 10], wanted[when < 10], "dots"),

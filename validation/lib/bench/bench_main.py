@@ -36,7 +36,8 @@ def parser():
     p.add_argument("--seeds", type=int, metavar="N", help="packings for the spread, 2 at least (4, --quick 2)")
     p.add_argument("--window", type=float, metavar="T", help="simulated time in s (0.5, --quick 0.03)")
     p.add_argument("--quick", action="store_true", help="few points of short runs: to see that it works")
-    p.add_argument("--full", action="store_true", help="targets: simulate all of the full-size column's 64 s in place of the first")
+    p.add_argument("--full", action="store_true",
+                   help="targets: simulate all of the full-size column's 64 s in place of the first")
     p.add_argument("--json", metavar="FILE", help="write the rows as a list of objects, too")
     return p
 
@@ -130,7 +131,8 @@ def table(rows):
             lines.append(f"{r['case']:<13}{r['setting']:<16}{value:<14}{r['note'][:70]}")
             continue
         lines.append(f"{r['case']:<13}{r['setting']:<16}{value:<14}{r['wall_s']:>9.3g}{r['wall_ratio']:>8.3f}"
-                     f"{100 * r['error']:>9.3g}{100 * r['seed_spread']:>9.3g}  {'yes' if r['on_front'] else ''}".rstrip())
+                     f"{100 * r['error']:>9.3g}{100 * r['seed_spread']:>9.3g}  "
+                     f"{'yes' if r['on_front'] else ''}".rstrip())
     return "\n".join(lines)
 
 
@@ -165,8 +167,8 @@ def compared(rows, yardstick, last, programs=None):
         if not o or not o.get("wall_s") or not r.get("wall_s"):
             continue
         now, was = r["wall_s"] / yardstick, o["wall_s"] / last["yardstick_s"]
-        lines.append(f"  {r['case']} {r['setting']} {r['value']}: {now:.3g}, was {was:.3g} ({100 * (now / was - 1):+.0f} %); "
-                     f"error {100 * r['error']:.3g} %, was {100 * o['error']:.3g} %")
+        lines.append(f"  {r['case']} {r['setting']} {r['value']}: {now:.3g}, was {was:.3g} "
+                     f"({100 * (now / was - 1):+.0f} %); error {100 * r['error']:.3g} %, was {100 * o['error']:.3g} %")
     return "\n".join(lines)
 
 

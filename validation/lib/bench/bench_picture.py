@@ -3,7 +3,8 @@
 
 from cases.lib.output.plotting import plt
 
-_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8C564B", "#7F7F7F", "#BCBD22", "#17BECF")
+_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8C564B", "#7F7F7F", "#BCBD22",
+            "#17BECF")
 _MARKS = "osD^vPX<>*"
 
 
@@ -26,7 +27,8 @@ def draw(path, rows):
                             xytext=(4, 3), textcoords="offset points")
         for r in mine:
             if r["setting"] == "baseline":
-                ax.scatter(r["wall_ratio"], 100 * r["error"], s=120, marker="*", c="black", label="as shipped", zorder=4)
+                ax.scatter(r["wall_ratio"], 100 * r["error"], s=120, marker="*", c="black", label="as shipped",
+                           zorder=4)
         on = sorted((r["wall_ratio"], 100 * r["error"]) for r in mine if r["on_front"])
         if on:
             ax.step([x for x, _ in on], [y for _, y in on], where="post", color="black", lw=1, label="front", zorder=1)

@@ -19,7 +19,8 @@ def stiffer(values, factor):
 
 def finer_step(values, parts):
     """A DEM step of that part, at the same coupling interval."""
-    return {"dem_step": float(f"{values['dem_step'] / parts:.12g}"), "coupling_steps": max(1, round(values["coupling_steps"] * parts))}
+    return {"dem_step": float(f"{values['dem_step'] / parts:.12g}"),
+            "coupling_steps": max(1, round(values["coupling_steps"] * parts))}
 
 
 def settings(values, quick=False):

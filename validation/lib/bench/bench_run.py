@@ -51,7 +51,8 @@ def _edited(case, changes, where, edit, tag):
         f.write(text)
     outcome = coupled.execute(["sh", os.path.join(folder, "run.sh")], _LIMIT)
     if outcome.status != 0:
-        said = [x.strip() for x in outcome.output.splitlines() if "ERROR" in x or x.startswith(("liggghts-clay:", "clayFoam:"))]
+        said = [x.strip() for x in outcome.output.splitlines()
+                if "ERROR" in x or x.startswith(("liggghts-clay:", "clayFoam:"))]
         raise Broken(said[0] if said else f"exit code {outcome.status}")
     return folder
 

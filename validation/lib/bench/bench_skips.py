@@ -76,8 +76,8 @@ def _wire(work, skip):
     for r in (work, skip):
         each = r["dem"]["particles"] * r["dem"]["exchanges"]
         told.append(" + ".join(f"{r[half]['bytes_sent'] / each:.0f}" for half in ("dem", "cfd")))
-    return (f"{told[0]} bytes a particle and exchange, there and back; {told[1]} without: no field is sent that no model "
-            "asks for")
+    return (f"{told[0]} bytes a particle and exchange, there and back; {told[1]} without: no field is sent that no "
+            "model asks for")
 
 
 def _rest(work, skip):
@@ -99,8 +99,8 @@ def _mapped(work, skip):
 def _empty(work, skip):
     few, many = skip["cells"], work["cells"]
     each = 1e9 * (work["seconds"] - skip["seconds"]) / ((many[1] - few[1]) * work["cfd"]["exchanges"])
-    return (f"no switch: particles are mapped to the cells they touch. {many[0]} of {many[1]} cells hold none, {few[0]} of "
-            f"{few[1]} in the other mesh: {each:.0f} ns an empty cell and exchange")
+    return (f"no switch: particles are mapped to the cells they touch. {many[0]} of {many[1]} cells hold none, "
+            f"{few[0]} of {few[1]} in the other mesh: {each:.0f} ns an empty cell and exchange")
 
 
 def _plain(text):
@@ -118,7 +118,8 @@ def scenes(quick):
     return {"loose clumps": ("clump-half", {"end": 0.02 if quick else 0.2}),
             "loose spheres": ("sphere-half", {"end": 0.02 if quick else 0.2}),
             "settled spheres": ("sphere-half", bed),
-            "settled clumps": ("clump-half", {"end": 0.4, "fill_height": 0.03, "clumps": 30} if quick else {"end": 7.0})}
+            "settled clumps": ("clump-half",
+                               {"end": 0.4, "fill_height": 0.03, "clumps": 30} if quick else {"end": 7.0})}
 
 
 def plan(quick=False):
@@ -128,7 +129,8 @@ def plan(quick=False):
     def add(feature, switch, scene, timing, work, skip=None, note="", edits=("", ""), of="skip"):
         case, base = known[scene]
         rows.append(Row(feature, switch, scene, timing, Variant(case, {**base, **work}, edits[0]),
-                        Variant(case, {**base, **(skip or {})}, edits[1]), _plain(note) if isinstance(note, str) else note, of))
+                        Variant(case, {**base, **(skip or {})}, edits[1]),
+                        _plain(note) if isinstance(note, str) else note, of))
 
     dem, maps, solves = ("dem.dem_cpu_s",), ("cfd.mapping_cpu_s",), ("cfd.cfd_cpu_s",)
     wire = dem + ("cfd.exchange_s",) + maps
@@ -139,8 +141,9 @@ def plan(quick=False):
     add("Coulomb between evaluations", "every N hold", "loose clumps", dem, {"coulomb_steps": 1}, {},
         "evaluated at every step, against every tenth")
     add("far Coulomb pairs", "automatic: out of reach", "loose clumps", dem, {"cutoff": 0.024}, {},
-        "cutoff 24 mm against the paper's 12 mm: pairs out of reach are not visited. The sum does not converge with it, so the "
-        "error is the model's. Pairs within it, evaluated seldom, gain nothing at equal error (pair_coul_clump.md)", of="scene")
+        "cutoff 24 mm against the paper's 12 mm: pairs out of reach are not visited. The sum does not converge with "
+        "it, so the error is the model's. Pairs within it, evaluated seldom, gain nothing at equal error "
+        "(pair_coul_clump.md)", of="scene")
     add("bodies", "no fix multisphere/clump", "loose spheres", dem, {}, {},
         "the style with no body, against a script without it: what it costs unused", ("with bodies", ""))
     add("torque", "forceModels", "loose spheres", wire, {"forces": _FORCES + "+torque"}, {"forces": _FORCES}, _wire,
@@ -148,7 +151,8 @@ def plan(quick=False):
     add("fields on the wire", "automatic: what models ask for", "loose spheres", wire, {"forces": _MORE},
         {"forces": _FORCES}, _wire, of="scene")
     add("smoothing", "smoothingModel none", "loose spheres", maps + solves,
-        {"smoothing": "diffusion", "bandwidth": 1e-7}, {"smoothing": "none"}, "a bandwidth that smooths nothing, against none")
+        {"smoothing": "diffusion", "bandwidth": 1e-7}, {"smoothing": "none"},
+        "a bandwidth that smooths nothing, against none")
     add("empty cells", "none", "loose spheres", maps, {"tube_height": 0.6, "layers": 48, "fill_height": 0.15},
         {"tube_height": 0.15, "layers": 12, "fill_height": 0.15}, _empty, of="scene")
     add("void-fraction updates", "keepMapping 0", "settled spheres", maps, {"keep_mapping": 0}, {}, _mapped)
@@ -208,7 +212,8 @@ class Pairs:
                 except Broken as e:
                     self.broken[key] = str(e)
                 what = " ".join([f"{k}={x}" for k, x in v.changes.items()] + [v.edit]).strip()
-                self.tell(f"{made} of {total}: {v.case} {what}" + (f": {self.broken[key]}" if key in self.broken else ""))
+                self.tell(f"{made} of {total}: {v.case} {what}"
+                          + (f": {self.broken[key]}" if key in self.broken else ""))
         return [self.row(r) for r in self.rows]
 
     def row(self, r):

@@ -44,7 +44,8 @@ class Measurements:
             folder = bench_run.made("column1890", {"contacts": "lean", **end}, "targets")
             # every contact computed
             awake = {"rest": "no"} if "rest" in casefile.Case("column1890").values else {}
-            lean, stock = (bench_run.alone(bench_run.made("column1890", {"contacts": c, **awake, **end}, "targets", dry=True))
+            lean, stock = (bench_run.alone(bench_run.made("column1890", {"contacts": c, **awake, **end}, "targets",
+                                                          dry=True))
                            for c in ("lean", "stock"))
             self._kept["column"] = folder, lean, stock
         return self._kept["column"]
@@ -67,7 +68,8 @@ class Measurements:
         end["end"] = 2 * end["end"]
         folder = bench_run.made("column1890", {"contacts": "lean", "rest": "yes", **end}, "targets", dry=True)
         a, b = last_step(bench_run.alone(folder)), last_step(self._column_runs()[2])
-        return a / b, f"{1e6 * a:.1f} us a step over the last tenth of {end['end']:g} s, stock {1e6 * b:.0f} us at the end of half of it"
+        return a / b, (f"{1e6 * a:.1f} us a step over the last tenth of {end['end']:g} s, "
+                       f"stock {1e6 * b:.0f} us at the end of half of it")
 
     # ---- loose clumps
 
@@ -126,7 +128,8 @@ class Measurements:
         name, folder, dem = self._coupled()
         s = _summary(folder)
         wall, cfd = bench_run.wall(folder), s["cfd_s"]
-        return wall / max(dem, cfd), f"{name}: coupled {wall:.2f} s, DEM alone {dem:.2f} s, CFD half's solving {cfd:.2f} s"
+        return wall / max(dem, cfd), (f"{name}: coupled {wall:.2f} s, DEM alone {dem:.2f} s, "
+                                      f"CFD half's solving {cfd:.2f} s")
 
     # ---- 64 s of the paper's columns
 
@@ -138,7 +141,8 @@ class Measurements:
         error, known = _error("clump-half"), "no error is known: validation/bench measures it"
         if error is not None:
             known = f"error of clump-half {100 * error:.2g} % by the last validation/bench"
-        how = "all of it run" if window == 64.0 else f"from the first {window:g} s in proportion, too much: the bed comes to rest"
+        how = ("all of it run" if window == 64.0 else
+               f"from the first {window:g} s in proportion, too much: the bed comes to rest")
         return minutes, f"{how}; {known}", error is not None and error <= 0.01
 
     def half_size(self):
@@ -181,7 +185,8 @@ def table(rows):
     lines = []
     for r in rows:
         value = "-" if r["measured"] is None else f"{r['measured']:.3g}"
-        lines.append(f"{'met   ' if r['passed'] else 'MISSED'} {r['target']:<76}{value:>9}  <= {r['gate']:g}\n       {r['note']}")
+        lines.append(f"{'met   ' if r['passed'] else 'MISSED'} {r['target']:<76}{value:>9}  "
+                     f"<= {r['gate']:g}\n       {r['note']}")
     return "\n".join(lines)
 
 

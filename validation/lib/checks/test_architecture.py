@@ -42,7 +42,8 @@ def imported(name, path, known):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
-            base = ".".join([*name.split(".")[:-node.level], *filter(None, [node.module])]) if node.level else node.module
+            above = name.split(".")[:-node.level] if node.level else []
+            base = ".".join([*above, *filter(None, [node.module])])
             found |= {f"{base}.{a.name}" if f"{base}.{a.name}" in known else base for a in node.names}
         elif isinstance(node, ast.Constant) and isinstance(node.value, str) and _MODULE.match(node.value):
             found.add(node.value)
@@ -120,7 +121,8 @@ def test_python_finds_modules_by_itself():
 
 
 def test_the_reader_sees_every_kind_of_import(tmp_path):
-    for name, text in {"cases/__init__.py": "", "cases/a/__init__.py": "", "cases/b/__init__.py": "", "cases/c/__init__.py": "",
+    for name, text in {"cases/__init__.py": "", "cases/a/__init__.py": "", "cases/b/__init__.py": "",
+                       "cases/c/__init__.py": "",
                        "cases/a/one.py": "def f():\n    from cases.b import two\n    return two\n",
                        "cases/b/two.py": "from ..c.three import X\n",
                        "cases/c/three.py": "X = 'cases.a.one'\n", "cases/c/four.py": "import cases.c.three\n"}.items():
@@ -128,6 +130,7 @@ def test_the_reader_sees_every_kind_of_import(tmp_path):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
     found = arrows(tmp_path)
-    assert {k: sorted(v) for k, v in found.items()} == {"cases.a": ["cases.b"], "cases.b": ["cases.c"], "cases.c": ["cases.a"]}
+    assert {k: sorted(v) for k, v in found.items()} == {
+        "cases.a": ["cases.b"], "cases.b": ["cases.c"], "cases.c": ["cases.a"]}
     circle = cycle(found)
     assert circle[0] == circle[-1] and set(circle) == {"cases.a", "cases.b", "cases.c"}

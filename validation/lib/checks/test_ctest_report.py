@@ -26,7 +26,7 @@ Expected equality of these values:
         Start   5: left
   5/6 Test   #5: left ............................................***Not Run (Disabled)   0.00 sec
         Start   6: refusals
-  6/6 Test   #6: refusals ........................................***Failed  Required regular expression not found. Regex=[x]  0.30 sec
+  6/6 Test   #6: refusals .......................***Failed  Required regular expression not found. Regex=[x]  0.30 sec
 
 17% tests passed, 5 tests failed out of 6
 The following tests FAILED:
@@ -58,9 +58,11 @@ def test_what_has_ended_is_known_when_the_rest_never_comes():
 
 def test_disabled_tests_and_idle_programs():
     def test(name, *command, **properties):
-        return {"name": name, "command": list(command), "properties": [{"name": k, "value": v} for k, v in properties.items()]}
+        return {"name": name, "command": list(command),
+                "properties": [{"name": k, "value": v} for k, v in properties.items()]}
     listed = ctest_report.Listed(json.dumps({"tests": [
-        test("a", "/b/bin/test_dem", "--gtest_filter=A.*", TIMEOUT=20.0), test("c", "mpiexec", "-n", "2", "/b/bin/meshTest"),
+        test("a", "/b/bin/test_dem", "--gtest_filter=A.*", TIMEOUT=20.0),
+        test("c", "mpiexec", "-n", "2", "/b/bin/meshTest"),
         test("d", "/b/bin/test_dem", DISABLED=True)]}))
     assert listed.names == ["a", "c", "d"]
     assert listed.disabled == ["d"]
@@ -69,8 +71,10 @@ def test_disabled_tests_and_idle_programs():
 
 
 def test_sources_that_are_not_built():
-    sources = ["/t/a/test_one.cpp", "/t/b/twoTest.C", "/t/b/two.C", "/t/a/one.cpp", "/t/b/threeTest.C", "/t/a/test_one.h"]
-    assert ctest_report.sources_not_built(sources, {"/t/a/test_one.cpp", "/t/b/two.C"}) == ["/t/b/threeTest.C", "/t/b/twoTest.C"]
+    sources = ["/t/a/test_one.cpp", "/t/b/twoTest.C", "/t/b/two.C", "/t/a/one.cpp", "/t/b/threeTest.C",
+               "/t/a/test_one.h"]
+    found = ctest_report.sources_not_built(sources, {"/t/a/test_one.cpp", "/t/b/two.C"})
+    assert found == ["/t/b/threeTest.C", "/t/b/twoTest.C"]
 
 
 def test_tests_left_out_inside_a_program():

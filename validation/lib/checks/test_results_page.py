@@ -43,7 +43,8 @@ class PageTest(unittest.TestCase):
             readme = os.path.join(here, "room", "one", "README.md")
             with open(readme, "w", encoding="utf-8") as f:
                 f.write("# One\n<!-- last result -->\nold\n<!-- end of last result -->\nkept\n")
-            with open(results_page.write(folder, [results_page.Result("a title", some(), 1.0)], keep=False), encoding="utf-8") as f:
+            with open(results_page.write(folder, [results_page.Result("a title", some(), 1.0)], keep=False),
+                      encoding="utf-8") as f:
                 shown = f.read()
             self.assertIn("why &lt;it&gt; is far", shown)
             self.assertIn('class="FAIL">2<', shown)

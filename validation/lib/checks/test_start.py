@@ -27,7 +27,8 @@ def test_starts_among_strangers(name, tmp_path):
         path = tmp_path / stranger
         path.parent.mkdir(exist_ok=True)
         path.write_text("raise SystemExit('a stranger was loaded')\n")
-    strange = {**os.environ, "PYTHONPATH": str(tmp_path), "PYTHONHOME": str(tmp_path), "PYTHONSTARTUP": str(tmp_path / "json.py")}
+    strange = {**os.environ, "PYTHONPATH": str(tmp_path), "PYTHONHOME": str(tmp_path),
+               "PYTHONSTARTUP": str(tmp_path / "json.py")}
     done = subprocess.run([os.path.join(TOP, name), "--no-setup", "--help"], cwd=tmp_path, env=strange, text=True,
                           capture_output=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
@@ -43,7 +44,8 @@ def test_all_launchers_are_known():
     (["cases.one", "--no-setup", "NAME"], None), (["cases.one", "--list"], None),
     (["cases.one", "NAME", "--keys"], None), (["validation.two", "--help"], None), (["cases.one", "NAME", "-h"], None)])
 def test_what_is_set_up(words, setup, tmp_path):
-    for name, text in {"cmake/setup.sh": '#!/bin/sh\necho set-up "$@"\n', "cases/one.py": "import sys\nprint(sys.argv[1:])\n",
+    for name, text in {"cmake/setup.sh": '#!/bin/sh\necho set-up "$@"\n',
+                       "cases/one.py": "import sys\nprint(sys.argv[1:])\n",
                        "validation/two.py": "import sys\nprint(sys.argv[1:])\n"}.items():
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(text)

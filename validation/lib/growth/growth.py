@@ -34,7 +34,8 @@ def options(across, cell, steps):
     cells = max(1, round(across / cell))
     values = {"across": across, "size_x": edge, "size_y": edge, "size_z": 1.5 * edge, "cells_x": cells,
               "cells_y": cells, "cells_z": max(1, round(1.5 * cells)), "end": steps * 2e-5}
-    return [x for k, v in values.items() for x in ("--set", f"{k}={v:.10g}")], cells * cells * max(1, round(1.5 * cells))
+    words = [x for k, v in values.items() for x in ("--set", f"{k}={v:.10g}")]
+    return words, cells * cells * max(1, round(1.5 * cells))
 
 
 def prepared(where, words, ranks=(1, 1)):

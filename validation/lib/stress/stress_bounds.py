@@ -38,7 +38,8 @@ def exceeded(measures, scene):
             ("overlap/d", measures["overlap_over_d"], OVERLAP), ("Courant number", measures["courant"], COURANT),
             ("momentum residual", measures["momentum"], MOMENTUM),
             ("void fraction volume error", measures["volume_error"], VOLUME),
-            ("particle speed [m/s]", measures["fastest"], SPEED * scale), ("fluid speed [m/s]", measures["fluid"], FLUID_SPEED * scale)):
+            ("particle speed [m/s]", measures["fastest"], SPEED * scale),
+            ("fluid speed [m/s]", measures["fluid"], FLUID_SPEED * scale)):
         if not math.isfinite(value):
             found.append(f"{name} is NaN or infinite")
         elif value > most:

@@ -187,7 +187,8 @@ def scene(p):
         "end": float(f"{step * every * exchanges:.12g}"), "drag": p["drag"], "void_fraction": scheme,
         "smoothing": smoothing or "none", "bandwidth": 3 * d, "model": p["model"], "overlap": p["overlap"],
         "sides": p["sides"], "bottom": "inlet" if inlet else "wall", "inlet_velocity": inlet,
-        "charge": p["charge_factor"] * PAPER_CHARGE * (d / PAPER_DIAMETER)**2.5, "cutoff": min(6 * d, 0.5 * box["values"]["size_x"]),
+        "charge": p["charge_factor"] * PAPER_CHARGE * (d / PAPER_DIAMETER)**2.5,
+        "cutoff": min(6 * d, 0.5 * box["values"]["size_x"]),
         "particles": len(box["places"]), **box["values"]}
     return {"values": values, "places": box["places"], "solids": box["solids"], "mass": mass, "terminal": v,
             "interval_ratio": step * every / relaxation, "exchanges": exchanges}

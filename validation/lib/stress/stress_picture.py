@@ -20,7 +20,8 @@ def draw(path, rows):
             part = [r for r in rows if r["outcome"] == outcome and x in r and y in r]
             ax.scatter([r[x] for r in part], [r[y] for r in part], c=colour, marker=mark, s=size, lw=0.4,
                        edgecolors="white", label=outcome, zorder=2 + (outcome != "bounded"))
-        for scale, limits, axis, key in ((ax.set_xscale, ax.set_xlim, ax.xaxis, x), (ax.set_yscale, ax.set_ylim, ax.yaxis, y)):
+        for scale, limits, axis, key in ((ax.set_xscale, ax.set_xlim, ax.xaxis, x),
+                                         (ax.set_yscale, ax.set_ylim, ax.yaxis, y)):
             if key in ("charge_factor", "jump"):
                 scale("symlog", linthresh=0.1)
                 limits(-0.03)

@@ -38,7 +38,8 @@ class Sample(unittest.TestCase):
             self.assertEqual(list(np.histogram(u, 8, (0, 1))[0]), 8 * [8])
         self.assertEqual(points, design.latin(64))
         # no two axes go together
-        u = np.array([[math.log(p[k]) for k in ("viscosity", "stiffness", "solids", "cell", "diameter")] for p in design.latin(128)])
+        keys = ("viscosity", "stiffness", "solids", "cell", "diameter")
+        u = np.array([[math.log(p[k]) for k in keys] for p in design.latin(128)])
         c = np.corrcoef(u.T) - np.eye(5)
         self.assertLess(abs(c).max(), 0.25)
 
@@ -72,7 +73,8 @@ class Sample(unittest.TestCase):
         self.assertLess(step, math.sqrt(2 * 1e-5 / 1000))
         self.assertGreater(step, 0.5 * math.sqrt(2 * 1e-5 / 1000))
         # Stokes: d2 (rho - rho_f) g/(18 mu)
-        self.assertAlmostEqual(design.terminal_velocity(1e-5, 2600, 1e-3) / (1e-10 * 1600 * 9.81 / 18e-3), 1, delta=0.01)
+        self.assertAlmostEqual(design.terminal_velocity(1e-5, 2600, 1e-3) / (1e-10 * 1600 * 9.81 / 18e-3), 1,
+                               delta=0.01)
 
 
 class Bounds(unittest.TestCase):
@@ -121,7 +123,8 @@ class Ends(unittest.TestCase):
         with tempfile.TemporaryDirectory() as place:
             path = os.path.join(place, "runs.jsonl")
             with open(path, "w", encoding="utf-8") as f:
-                f.write('{"version": "a", "id": "x", "outcome": "bounded"}\n{"version": "b", "id": "y"}\n{"version": "a", "i')
+                f.write('{"version": "a", "id": "x", "outcome": "bounded"}\n{"version": "b", "id": "y"}\n'
+                        '{"version": "a", "i')
             self.assertEqual(stress_main.kept(path, "a"), {"x": {"id": "x", "outcome": "bounded"}})
             self.assertEqual(stress_main.kept(path + ".gone", "a"), {})
 

@@ -12,6 +12,7 @@ from validation.lib.checks.verdicts import Broken
 
 TITLE = "broken inputs end both halves with one line that says why"
 SECONDS = 20
+_TELLS = re.compile(r"(ERROR|clayFoam: (?!t = |warning|couplingProperties: defaults)|liggghts-clay: )")
 
 
 def _break(folder, item):
@@ -52,7 +53,7 @@ def _reasons(output):
     found = []
     for line in output.splitlines():
         line = line.strip()
-        if re.match(r"(ERROR|clayFoam: (?!t = |warning|couplingProperties: defaults)|liggghts-clay: )", line) and line not in found:
+        if _TELLS.match(line) and line not in found:
             found.append(line)
     return found
 

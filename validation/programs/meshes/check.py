@@ -12,7 +12,8 @@ LONG = True
 
 _RHO, _SPEED = 10.0, 0.01
 # lattice of fixed-bed-scene, smoothed over 2 d; the drop between two heights inside of it
-_SET = ("layers=30", "spheres=960", "size_z=0.0442", "cells_x=2", "cells_y=2", "cells_z=17", "smoothing=diffusion", "bandwidth=3e-3", "frames=1",
+_SET = ("layers=30", "spheres=960", "size_z=0.0442", "cells_x=2", "cells_y=2", "cells_z=17", "smoothing=diffusion",
+        "bandwidth=3e-3", "frames=1",
         f"velocity_from={_SPEED}", f"velocity_to={_SPEED}", f"start_velocity={_SPEED}", "sides=slip")
 _LOW, _HIGH = 0.0130, 0.0312  # m: inside of the bed, which reaches from 2.6 to 41.6 mm
 
@@ -37,7 +38,8 @@ def _run(name, *more, ranks=()):
 
 
 def run(checks):
-    law = 150 * 0.548665**2 / 0.451335**3 * 1.5e-3 * _SPEED / 1e-6 + 1.75 * 0.548665 / 0.451335**3 * _RHO * _SPEED**2 / 1e-3
+    law = 150 * 0.548665**2 / 0.451335**3 * 1.5e-3 * _SPEED / 1e-6
+    law += 1.75 * 0.548665 / 0.451335**3 * _RHO * _SPEED**2 / 1e-3
     curves, first = [], None
     for kind in ("hex", "warped", "tet", "poly"):
         folder = _run(kind, f"mesh={kind}")

@@ -16,8 +16,8 @@ def run(checks):
     for dem, cfd in ((1, 2), (2, 1), (2, 2)):
         name = f"{dem}+{cfd}"
         try:
-            folder = coupled.finished("clump-half", "parallel/" + name, *options, "--dem", str(dem),
-                                      "--cfd", str(cfd), limit=400)
+            folder = coupled.finished("clump-half", "parallel/" + name, *options, "--dem", str(dem), "--cfd", str(cfd),
+                                      limit=400)
         except Broken as e:
             checks.true(f"{name}: ends well", False, str(e))
             continue

@@ -21,6 +21,8 @@ def run(checks):
         checks.equal(f"{name}: particles lost", s["particles_lost"], 0)
         checks.at_most(f"{name}: momentum residual", s["max_momentum_residual"], 1e-10)
         checks.close(f"{name}: buoyant weight [Pa]", bed["buoyant_weight_Pa"], beds.weight(s["settings"]), 1e-9)
-        checks.close(f"{name}: drop beyond 1.2 u_mf over the buoyant weight", bed["fluidised_drop_over_weight"], 1.0, 0.03)
-        checks.at_least(f"{name}: height at the end over that at rest", bed["interface_at_end_m"] / bed["interface_at_rest_m"], 1.05)
+        checks.close(f"{name}: drop beyond 1.2 u_mf over the buoyant weight", bed["fluidised_drop_over_weight"], 1.0,
+                     0.03)
+        checks.at_least(f"{name}: height at the end over that at rest",
+                        bed["interface_at_end_m"] / bed["interface_at_rest_m"], 1.05)
         checks.picture(os.path.join(folder, "bed.png"))

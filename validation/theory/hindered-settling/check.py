@@ -40,8 +40,8 @@ def run(checks):
     row = [int(np.argmin(np.abs(table["phi"] - share))) for share in phi]
     series = []
     for law, column in LAWS:
-        folder = coupled.finished("hindered-settling", f"hindered-settling/{law}", "--no-pictures",
-                                  "--set", f"drag={law}")
+        folder = coupled.finished("hindered-settling", f"hindered-settling/{law}", "--no-pictures", "--set",
+                                  f"drag={law}")
         found = velocities(folder, 3) / STOKES
         expected = (table[column][row] if column else
                     DragLawFlux(law, D, RHO_P, RHO_F, MU / RHO_F, phi_m=0.7).velocity(phi) / STOKES)

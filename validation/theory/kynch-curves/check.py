@@ -18,13 +18,15 @@ D, RHO_P, RHO_F, MU, H, AREA, STEP = 1e-3, 2600.0, 1000.0, 0.132, 0.06, 1e-4, 4e
 
 
 def run(checks):
-    checks.note("At phi_0 = 0.2 the bed's front rises 4 % too fast, past its gate of 3 %; its spread from seed to seed is not known.")
+    checks.note("At phi_0 = 0.2 the bed's front rises 4 % too fast, past its gate of 3 %; its spread from seed to seed "
+                "is not known.")
     table, curves = (reference.table("kynch_batch_sedimentation_" + k) for k in ("formula", "curves"))
     v_t = float(DragLawFlux("WenYu", D, RHO_P, RHO_F, MU / RHO_F).velocity(1e-9))
     unit, series = H / v_t, []
     for phi, end, dumps in RUNS:
         folder = coupled.finished("kynch-curves", f"kynch-curves/phi-{phi:g}", "--no-pictures", "--set",
-                                  f"solid_fraction={phi}", "--set", f"end={end}", "--set", f"frames={dumps}", limit=3000)
+                                  f"solid_fraction={phi}", "--set", f"end={end}", "--set", f"frames={dumps}",
+                                  limit=3000)
         row = int(np.argmin(np.abs(table["phi0"] - phi)))
         exact = {k: float(table[k][row]) for k in ("V_upper_over_vt", "S_bed_over_vt", "t_c_vt_over_H")}
         phi_m = fronts.packed(folder, STEP, AREA, H)
@@ -46,9 +48,11 @@ def run(checks):
         # where the table's bed is at rest, the run's own is met
         shown = at * unit <= window[1]
         off = np.interp(at[shown] * unit, t, upper) / H - curves["y_upper_over_H"][mine][shown]
-        checks.at_most(say + "rms of the interface's curve over H, until 0.85 t_c", float(np.sqrt(np.mean(off**2))), 0.02)
+        checks.at_most(say + "rms of the interface's curve over H, until 0.85 t_c", float(np.sqrt(np.mean(off**2))),
+                       0.02)
         keep = slice(None, None, 4)
-        series += [(f"phi_0 = {phi:g}", t[keep] / unit, upper[keep] / H, "dots"), (None, t[keep] / unit, bed[keep] / H, "dots"),
+        series += [(f"phi_0 = {phi:g}", t[keep] / unit, upper[keep] / H, "dots"),
+                   (None, t[keep] / unit, bed[keep] / H, "dots"),
                    (None, at, curves["y_upper_over_H"][mine], "dashed"),
                    (None, at, curves["y_packed_front_over_H"][mine], "dashed")]
     checks.picture(plots.compare(

@@ -33,10 +33,10 @@ def run(checks):
     chosen = (t > 1e-3) & (t <= 0.15)
     for law, column in (("SchillerNaumann", "v_SN_m_per_s"), ("DiFelice", "v_DiFelice_m_per_s")):
         for form in ("A", "B"):
-            folder = single_sphere.run(f"settling-formulas/cfdem-{law}-{form}", size_x=0.1, size_y=0.1, size_z=0.1, cells_x=10,
-                              cells_y=10, cells_z=10, sphere_radius=5e-5, density=3000, fluid_density=10,
-                              viscosity=1e-4, at_z=0.6, end=0.15, dem_step=1e-5, coupling_steps=100, drag=law,
-                              model=form, void_fraction="divided", **FREE)
+            folder = single_sphere.run(f"settling-formulas/cfdem-{law}-{form}", size_x=0.1, size_y=0.1, size_z=0.1,
+                                       cells_x=10, cells_y=10, cells_z=10, sphere_radius=5e-5, density=3000,
+                                       fluid_density=10, viscosity=1e-4, at_z=0.6, end=0.15, dem_step=1e-5,
+                                       coupling_steps=100, drag=law, model=form, void_fraction="divided", **FREE)
             v = np.asarray(ref[column])[chosen]
             found = _worst(checks, f"CFDEM's test, {law}, model {form}", folder, t[chosen], v)
         series += [(f"{law}: formula", t[chosen], v, "dashed"), (law, t[chosen], found, "line")]
@@ -44,10 +44,10 @@ def run(checks):
     ref = table("cpl_terminal_stokes_formula")
     for k, d in enumerate(np.asarray(ref["d_m"])):
         tau, last = ref["tau_s"][k], ref["v_terminal_Stokes_m_per_s"][k]
-        folder = single_sphere.run(f"settling-formulas/stokes-{1e6 * d:.0f}um", size_x=2e-3, size_y=2e-3, size_z=2e-2, cells_x=2,
-                          cells_y=2, cells_z=20, sides="slip", sphere_radius=0.5 * float(d), density=2650, viscosity=1e-3,
-                          at_z=0.9, end=0.05, dem_step=1e-5, coupling_steps=50, drag="Stokes",
-                          **{**FREE, "self_disturbance": "none", "frozen_fluid": "yes"})
+        folder = single_sphere.run(f"settling-formulas/stokes-{1e6 * d:.0f}um", size_x=2e-3, size_y=2e-3, size_z=2e-2,
+                                   cells_x=2, cells_y=2, cells_z=20, sides="slip", sphere_radius=0.5 * float(d),
+                                   density=2650, viscosity=1e-3, at_z=0.9, end=0.05, dem_step=1e-5, coupling_steps=50,
+                                   drag="Stokes", **{**FREE, "self_disturbance": "none", "frozen_fluid": "yes"})
         time = np.linspace(2.5e-3, 0.05, 20)
         exact = last * (1 - np.exp(-time / tau))
         _worst(checks, f"Stokes, frozen, d {1e6 * d:.0f} um", folder, time, exact)
@@ -57,11 +57,11 @@ def run(checks):
 
     # Xiao and Sun's particle, from rest in a stream without gravity
     d, rho_p, nu, stream = 8.3e-5, 2000.0, 1e-6, 0.05
-    folder = single_sphere.run("settling-formulas/xiao-sun", size_x=4e-3, size_y=4e-3, size_z=4e-3, cells_x=10, cells_y=10,
-                      cells_z=10, sides="slip", bottom="inlet", inlet_velocity=stream, start_velocity=stream,
-                      gravity=0, sphere_radius=0.5 * d, density=rho_p, viscosity=1e-3, at_z=0.3, end=0.006,
-                      dem_step=5e-6, coupling_steps=4, drag="SyamlalOBrien", rows=1200,
-                      **{k: v for k, v in FREE.items() if k != "rows"})
+    folder = single_sphere.run("settling-formulas/xiao-sun", size_x=4e-3, size_y=4e-3, size_z=4e-3, cells_x=10,
+                               cells_y=10, cells_z=10, sides="slip", bottom="inlet", inlet_velocity=stream,
+                               start_velocity=stream, gravity=0, sphere_radius=0.5 * d, density=rho_p, viscosity=1e-3,
+                               at_z=0.3, end=0.006, dem_step=5e-6, coupling_steps=4, drag="SyamlalOBrien", rows=1200,
+                               **{k: v for k, v in FREE.items() if k != "rows"})
     time, v = [0.0], [0.0]
     while time[-1] < 6e-3:
         def rate(u):

@@ -16,10 +16,11 @@ def _run(where, ratio, place=0.5 + 0.5 / CELLS, model="latticeMemory", **more):
     """Velocity over the law's at the end, and the run's folder; cells of `ratio` diameters."""
     d = CELL / ratio
     side = CELL * CELLS
-    folder = single_sphere.run(f"single-sphere/{where}", size_x=side, size_y=side, size_z=side, cells_x=CELLS, cells_y=CELLS,
-                      cells_z=CELLS, sides="slip", bottom="slip", top="slip", sphere_radius=0.5 * d,
-                      viscosity=NU * RHO, end=0.02, dem_step=2e-5, coupling_steps=10, at_x=place, at_y=place,
-                      at_z=place, self_disturbance=model, frames=2, curve_rows=200, **more)
+    folder = single_sphere.run(f"single-sphere/{where}", size_x=side, size_y=side, size_z=side, cells_x=CELLS,
+                               cells_y=CELLS, cells_z=CELLS, sides="slip", bottom="slip", top="slip",
+                               sphere_radius=0.5 * d, viscosity=NU * RHO, end=0.02, dem_step=2e-5, coupling_steps=10,
+                               at_x=place, at_y=place, at_z=place, self_disturbance=model, frames=2, curve_rows=200,
+                               **more)
     law = drag.terminal_velocity(d, SOLID, RHO, NU * RHO, drag_law=more.get("drag", "SchillerNaumann"))
     return -single_sphere.path(folder)[2][-1] / law, folder
 

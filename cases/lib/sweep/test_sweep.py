@@ -160,7 +160,7 @@ class SweepTest(unittest.TestCase):
                             (("--set", "charge=1e-10,much"), "must be a number"),
                             (("--set", "seed=1,2", "--seeds", "2"), "take one of them"),
                             (("--set", "solids=5,7", "--set", "clumps=9"), "solids = 5 decides nothing"),
-                            (("--set", "seed=2147483648"), "at most 2147483647"),
+                            (("--set", "seed=2147483648"), "from 1 to 2147483647"),
                             (("--set", "charge=1e-10", "--seeds", "0"), "--seeds 0"),
                             (("--set", "charge=1e-10", "--jobs", "0"), "--jobs 0")):
             status, _, errors, _ = self.sweep(*words)

@@ -11,10 +11,10 @@ _SUMMARY = re.compile(r"\d+% tests passed")
 _TELLS = re.compile(r"error|fail|abort|signal|exception|not found", re.I)
 # what a program of GoogleTest says of tests that it leaves out, though it passes
 _LEFT_OUT = re.compile(r"YOU HAVE \d+ DISABLED TESTS?|\[  SKIPPED \] [1-9]\d* tests?|Running 0 tests")
-#: a program of tests by its name; a peer is one that such a program starts
-_PROGRAM, _PEER = re.compile(r"test_\w+|\w+Test"), re.compile(r"\w+_peer")
-#: a file of tests, likewise; the main program that several share is none
-_SOURCE = re.compile(r"(test_\w+)\.cpp|(\w+Test)\.C")
+_TEST = re.compile(r"^(TYPED_)?TEST(_F|_P)?\(", re.M)
+_TARGET = re.compile(r"CMakeFiles/([^/ ]+)\.dir/")
+#: written like tests, but for counting, by validation/cost/instructions
+_MEASURES = ("mappingCost",)
 
 
 class Listed:
@@ -27,14 +27,25 @@ class Listed:
         self.disabled = [t["name"] for t in tests for p in t.get("properties", ())
                          if p["name"] == "DISABLED" and p["value"]]
 
-    def idle_programs(self, programs):
-        """Programs of tests, of those that the build makes, that no test runs."""
-        return sorted(p for p in programs if _PROGRAM.fullmatch(p) and not _PEER.fullmatch(p) and p not in self.words)
+    def idle_programs(self, files, compiled):
+        """Programs, of those that the build makes of these files, that no test runs."""
+        made = {target for path, target in compiled if path in files}
+        return sorted(made - self.words - set(_MEASURES))
 
 
-def sources_not_built(sources, compiled):
-    """Files of tests, of the project's sources, that the build does not compile."""
-    return sorted(s for s in sources if _SOURCE.fullmatch(os.path.basename(s)) and s not in compiled)
+def holds_tests(text):
+    """Whether a C++ file has tests of GoogleTest."""
+    return _TEST.search(text) is not None
+
+
+def compiled(commands):
+    """(file, target) of each entry of compile_commands.json."""
+    found = set()
+    for entry in commands:
+        target = _TARGET.search(entry.get("output") or entry["command"])
+        path = os.path.normpath(os.path.join(entry["directory"], entry["file"]))
+        found.add((path, target.group(1) if target else ""))
+    return found
 
 
 class Ended:

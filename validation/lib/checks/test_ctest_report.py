@@ -66,15 +66,17 @@ def test_disabled_tests_and_idle_programs():
         test("d", "/b/bin/test_dem", DISABLED=True)]}))
     assert listed.names == ["a", "c", "d"]
     assert listed.disabled == ["d"]
-    assert listed.idle_programs(["test_dem", "meshTest", "otherTest", "test_more", "test_dem_peer", "clayFoam"]) == [
-        "otherTest", "test_more"]
+    compiled = {("/t/one.cpp", "test_dem"), ("/t/two.cpp", "other"), ("/t/main.cpp", "clayFoam"),
+                ("/t/c.C", "mappingCost")}
+    assert listed.idle_programs({"/t/one.cpp", "/t/two.cpp", "/t/c.C"}, compiled) == ["other"]
 
 
-def test_sources_that_are_not_built():
-    sources = ["/t/a/test_one.cpp", "/t/b/twoTest.C", "/t/b/two.C", "/t/a/one.cpp", "/t/b/threeTest.C",
-               "/t/a/test_one.h"]
-    found = ctest_report.sources_not_built(sources, {"/t/a/test_one.cpp", "/t/b/two.C"})
-    assert found == ["/t/b/threeTest.C", "/t/b/twoTest.C"]
+def test_files_and_their_programs():
+    assert ctest_report.holds_tests("#include <gtest/gtest.h>\nTEST_F(Curve, falls)\n{}\n")
+    assert not ctest_report.holds_tests("// TEST(a, b)\nint main() { return 0; }\n")
+    entry = {"directory": "/b/exchange", "file": "/t/exchange/test_terms.cpp",
+             "command": "c++ -o CMakeFiles/test_terms.dir/test_terms.cpp.o -c /t/exchange/test_terms.cpp"}
+    assert ctest_report.compiled([entry]) == {("/t/exchange/test_terms.cpp", "test_terms")}
 
 
 def test_tests_left_out_inside_a_program():

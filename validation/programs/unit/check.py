@@ -3,7 +3,6 @@
 
 import json
 import os
-import re
 import subprocess
 
 from validation.lib.checks import coupled, ctest_report
@@ -25,16 +24,16 @@ def _listed():
         raise Broken(f"ctest lists no tests: {said.strip().splitlines()[-1:]}") from None
 
 
-def _targets():
-    """What CMake can build; a folder of programs may hold some of before."""
-    said = coupled.execute(["cmake", "--build", _BUILD, "--target", "help"], 60).output
-    return re.findall(r"^\.\.\. (\S+)$", said, re.M)
-
-
-def _sources():
-    """The project's C++ files, as paths."""
-    return [os.path.join(folder, f) for half in _HALVES for folder, _, files in os.walk(os.path.join(TOP, half))
-            for f in files]
+def _test_files():
+    """The project's C++ files that have tests, as paths."""
+    found = set()
+    for half in _HALVES:
+        for folder, _, files in os.walk(os.path.join(TOP, half)):
+            for path in (os.path.join(folder, f) for f in files if f.endswith((".cpp", ".C"))):
+                with open(path, encoding="utf-8") as f:
+                    if ctest_report.holds_tests(f.read()):
+                        found.add(path)
+    return found
 
 
 def _none(checks, question, found):
@@ -53,10 +52,11 @@ def run(checks):
     ctest.wait()
     _none(checks, "tests that ctest lists and has not run", [n for n in listed.names if n not in ended.names])
     _none(checks, "tests that are disabled", listed.disabled)
-    _none(checks, "programs of tests that no test runs", listed.idle_programs(_targets()))
+    files = _test_files()
     with open(os.path.join(_BUILD, "compile_commands.json"), encoding="utf-8") as f:
-        compiled = {os.path.normpath(os.path.join(c["directory"], c["file"])) for c in json.load(f)}
+        compiled = ctest_report.compiled(json.load(f))
     _none(checks, "files of tests that are not built",
-          [os.path.relpath(s, TOP) for s in ctest_report.sources_not_built(_sources(), compiled)])
+          sorted(os.path.relpath(x, TOP) for x in files - {path for path, _ in compiled}))
+    _none(checks, "programs of tests that no test runs", listed.idle_programs(files, compiled))
     with open(os.path.join(_BUILD, "Testing", "Temporary", "LastTest.log"), encoding="utf-8", errors="replace") as f:
         _none(checks, "tests that their programs leave out", ctest_report.left_out(f.read()))

@@ -39,7 +39,8 @@ packages=(cmake g++ make liggghts libliggghts-dev openmpi-bin libopenmpi-dev
     libeigen3-dev nlohmann-json3-dev librandom123-dev packmol
     python3 python3-numpy python3-matplotlib python3-scipy python3-meshio)
 [ "$what" = programs ] ||
-    packages+=(libgtest-dev libbenchmark-dev valgrind python3-pytest python3-jinja2)
+    packages+=(libgtest-dev libbenchmark-dev valgrind python3-pytest python3-jinja2
+        clang-format clang-tidy shellcheck python3-flake8)
 # the headers of the package come from its source, a compressed tar file
 [ "$flavour" != packaged ] || packages+=(openfoam libopenfoam bzip2 xz-utils)
 

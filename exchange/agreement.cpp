@@ -142,7 +142,7 @@ std::string disagreement(const DemTerms& dem, const CfdTerms& cfd) {
            " in the DEM half (" + dem.program + "), " + std::to_string(cfd.wire) +
            " in the CFD half (" + cfd.program + ")";
   for (auto check : {oneHalfAlone, times, gravities, fields}) {
-    const std::string line = check(dem, cfd);
+    std::string line = check(dem, cfd);
     if (!line.empty()) return line;
   }
   return boxes(dem, cfd);

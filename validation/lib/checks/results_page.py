@@ -54,7 +54,7 @@ def write(folder, results, keep):
 
 
 def _failed(case):
-    return [r for r in case["rows"] if r["verdict"] != "pass"]
+    return verdicts.failed(case["rows"])
 
 
 def _shown(case):
@@ -74,8 +74,7 @@ def _html(cases):
 def _markdown(case):
     """A stored case's table and notes."""
     rows = [[r[k].replace("|", "/") for k in _HEADS] for r in _shown(case)]
-    bad = len(_failed(case))
-    lines = [f"{case['when']}: {len(case['rows']) - bad} passed, {bad} failed, {case['seconds']:.0f} s.", ""]
+    lines = [f"{case['when']}: {verdicts.count(case['rows'])}, {case['seconds']:.0f} s.", ""]
     if rows:
         lines += ["| " + " | ".join(_HEADS) + " |", "|" + "---|" * len(_HEADS)]
         lines += ["| " + " | ".join(r) + " |" for r in rows] + [""]

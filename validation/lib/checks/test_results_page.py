@@ -34,6 +34,16 @@ class VerdictsTest(unittest.TestCase):
         self.assertEqual(set(rows[0]), {"case", "quantity", "value", "reference", "error", "gate", "passed"})
         self.assertIsNone(rows[2]["value"])
 
+    def test_what_is_skipped_counts_neither_way(self):
+        told = []
+        checks = verdicts.Checks("one", told.append)
+        checks.true("asked", True)
+        checks.skipped("not asked", "the tool is not installed")
+        self.assertEqual(verdicts.count(checks.rows), "1 passed, 0 failed, 1 skipped")
+        self.assertEqual(verdicts.failed(checks.rows), [])
+        self.assertIsNone(verdicts.plain(checks.rows[1])["passed"])
+        self.assertRegex(verdicts.line(told[1]), "^skip .*not asked .*the tool is not installed$")
+
 
 class PageTest(unittest.TestCase):
     def test_page_and_record(self):

@@ -56,13 +56,14 @@ def test_a_run_needs_programs_alone(project):
     assert "-DCLAYFOAM_TESTS=OFF" in configure
     assert build.endswith("-j3 --target liggghts-clay clayFoam")
     assert "liggghts" in packages and "python3-numpy" in packages
-    assert not {"libgtest-dev", "libbenchmark-dev", "valgrind", "python3-pytest", "python3-jinja2"} & set(packages)
+    assert not {"libgtest-dev", "libbenchmark-dev", "valgrind", "python3-pytest", "python3-jinja2", "clang-format",
+                "clang-tidy", "shellcheck", "python3-flake8"} & set(packages)
 
 
 def test_checks_need_the_tests(project):
     (configure, build), packages = project.setup()
     assert "-DCLAYFOAM_TESTS=ON" in configure and "--target" not in build
-    assert {"libgtest-dev", "valgrind", "python3-pytest", "python3-jinja2"} <= set(packages)
+    assert {"libgtest-dev", "valgrind", "python3-pytest", "clang-format", "shellcheck"} <= set(packages)
 
 
 def test_tests_are_built_after_programs_and_not_the_other_way(project):

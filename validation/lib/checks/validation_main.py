@@ -74,12 +74,12 @@ def main():
     if args.record:
         results_page.record(RUNS, list(heads), rooms.HERE, rooms.holding("README.md"))
     print(f"page of results: {os.path.relpath(told)}")
-    failed = [r for r in rows if r["verdict"] != "pass"]
+    failed = verdicts.failed(rows)
     if failed:
         print("failed:")
         for row in failed:
             print(verdicts.line(row))
-    print(f"{len(rows) - len(failed)} passed, {len(failed)} failed")
+    print(verdicts.count(rows))
     return 1 if failed or not rows else 0
 
 

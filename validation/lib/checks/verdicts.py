@@ -5,6 +5,7 @@ import csv
 import json
 import math
 
+_VERDICTS = {True: "pass", False: "FAIL", None: "skip"}
 COLUMNS = ("case", "quantity", "value", "reference", "error", "gate", "verdict")
 
 
@@ -29,7 +30,7 @@ class Checks:
 
     def _row(self, quantity, value, reference, error, gate, passed):
         row = dict(zip(COLUMNS, (self.case, quantity, value, reference, error, gate,
-                                 "pass" if passed else "FAIL")))
+                                 _VERDICTS[passed])))
         self.rows.append(row)
         self.tell(row)
         return passed
@@ -57,6 +58,21 @@ class Checks:
         """A yes-or-no question; value says what was found."""
         return self._row(quantity, value, reference, None, "true", bool(passed))
 
+    def skipped(self, quantity, why):
+        """A question that cannot be asked here; neither passed nor failed."""
+        return self._row(quantity, why, None, None, "true", None)
+
+
+def failed(rows):
+    return [r for r in rows if r["verdict"] == "FAIL"]
+
+
+def count(rows):
+    """How many rows passed, failed and, if any, were skipped."""
+    skipped = sum(r["verdict"] == "skip" for r in rows)
+    bad = len(failed(rows))
+    return f"{len(rows) - bad - skipped} passed, {bad} failed" + (f", {skipped} skipped" if skipped else "")
+
 
 def short(value):
     """A value for the table."""
@@ -68,9 +84,11 @@ def short(value):
 
 
 def line(row):
-    """A row of the table; a failed one says all it knows."""
+    """A row of the table; a failed one says all it knows, a skipped one why."""
     said = f"{row['verdict']:<5}{row['case']:<21}{row['quantity']:<60}"
     value, reference = short(row["value"]), short(row["reference"])
+    if row["verdict"] == "skip":
+        return f"{said} {value}"
     if row["verdict"] != "pass":
         against = f", reference {reference}" if reference else ""
         return f"{said}\n     found {value}; gate {row['gate']}{against}".rstrip()
@@ -85,9 +103,10 @@ def write_csv(path, rows):
 
 
 def plain(row):
-    """A row as JSON has it: passed instead of the verdict, nothing that is not a finite number."""
+    """A row as JSON has it: passed instead of the verdict (null when skipped), nothing that is not a finite number."""
     row = {k: None if isinstance(v, float) and not math.isfinite(v) else v for k, v in row.items()}
-    return {**{k: row[k] for k in COLUMNS[:-1]}, "passed": row["verdict"] == "pass"}
+    passed = None if row["verdict"] == "skip" else row["verdict"] == "pass"
+    return {**{k: row[k] for k in COLUMNS[:-1]}, "passed": passed}
 
 
 def write_json(path, rows):

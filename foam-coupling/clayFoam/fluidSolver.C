@@ -2,6 +2,8 @@
 
 #include "fluidSolver.H"
 
+#include "evaluateCoupled.H"
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -158,7 +160,7 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
             IOobject::READ_IF_PRESENT,
             IOobject::AUTO_WRITE
         ),
-        fvc::flux(U_)
+        fvc::flux(evaluateCoupled(U_))
     ),
     transport_(U_, phi_),
     turbulence_
@@ -198,6 +200,7 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
             << " Euler" << exit(FatalIOError);
     }
 
+    evaluateCoupled(p_);
     setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
     mesh_.setFluxRequired(p_.name());
     turbulence_->validate();

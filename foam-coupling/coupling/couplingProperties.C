@@ -5,6 +5,8 @@
 #include "OStringStream.H"
 #include "dragModel.H"
 #include "forceModel.H"
+#include "polyMesh.H"
+#include "processorCyclicPolyPatch.H"
 #include "selfDisturbanceModel.H"
 #include "smoothingModel.H"
 #include "voidFractionModel.H"
@@ -363,6 +365,32 @@ Foam::couplingProperties::couplingProperties(const Time& runTime)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::couplingProperties::checkMesh(const polyMesh& mesh) const
+{
+    if (interpolation_ != "cellPoint")
+    {
+        return;
+    }
+
+    // OpenFOAM's values at the points are wrong where such a patch ends at
+    // another rank's cells
+    bool parted = false;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        parted = parted || isA<processorCyclicPolyPatch>(patch);
+    }
+    if (returnReduce(parted, orOp<bool>()))
+    {
+        FatalIOErrorInFunction(*this)
+            << "interpolation cellPoint, but the two sides of a cyclic patch"
+            << " lie on different ranks; set interpolation mapped or cell, or"
+            << " keep them together: preservePatches, a constraint in"
+            << " system/decomposeParDict"
+            << exit(FatalIOError);
+    }
+}
+
 
 Foam::couplingProperties::ddtType
 Foam::couplingProperties::ddt(const bool smooth) const

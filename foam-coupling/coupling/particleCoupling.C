@@ -261,6 +261,8 @@ Foam::particleCoupling::particleCoupling
     pending_(false),
     late_(false)
 {
+    properties_.checkMesh(mesh_);
+
     const word transport
     (
         transportProperties.lookupOrDefault<word>

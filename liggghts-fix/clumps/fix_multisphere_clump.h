@@ -15,6 +15,7 @@ FixStyle(multisphere/clump,FixMultisphereClump)
 #ifndef LMP_FIX_MULTISPHERE_CLUMP_H
 #define LMP_FIX_MULTISPHERE_CLUMP_H
 
+#include <algorithm>
 #include <vector>
 
 #include "clumps/body_drag.h"
@@ -84,7 +85,16 @@ class FixMultisphereClump : public FixMultisphere {
     double owner;       // whose it is
   };
   enum { SIZE = sizeof(Fluid)/sizeof(double) };
-  typedef VectorContainer<double,SIZE> Store;
+  // LIGGGHTS makes room for a new body without a word on what is in it
+  class Store : public VectorContainer<double,SIZE> {
+   public:
+    using VectorContainer<double,SIZE>::VectorContainer;
+    void addUninitialized(int n)
+    {
+      VectorContainer<double,SIZE>::addUninitialized(n);
+      for (int b = this->size() - n; b < this->size(); b++) std::fill_n((*this)(b),int(SIZE),0.);
+    }
+  };
   typedef VectorContainer<double,3> Vectors;
 
   bool stock_features();

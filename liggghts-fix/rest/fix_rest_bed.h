@@ -66,7 +66,8 @@ class FixRestBed : public Fix {
   clay::RestTrack *tracks_;           // of each atom
 
   bool able_;            // all of the script's fixes keep still when nothing moves
-  double gravity_[3], up_[3];   // and against it
+  double gravity_[3] = {0., 0., 0.};  // as last found
+  double up_[3] = {0., 0., 0.};       // against it
   bigint window_, next_;
   bool looked_;          // in this run
   bigint skipped_, left_out_, wakings_;

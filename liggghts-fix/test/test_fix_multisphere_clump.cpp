@@ -186,3 +186,19 @@ TEST(FixMultisphereClump, freeRotationOfAnAsymmetricBody)
   EXPECT_LE(drift[1], drift[0] + 1e-13);
   for (int k = 0; k < 3; k++) EXPECT_NEAR(turned[1][k], turned[0][k], 1e-12);
 }
+
+// also one whose place in memory was another body's before, or nobody's
+TEST(FixMultisphereClump, bodiesBeginWithoutAFluid)
+{
+  Host host;
+  host(tumble("multisphere/clump", "f f f", "") + "run 1\n");
+  auto *bodies = dynamic_cast<LAMMPS_NS::FixMultisphereClump *>(host.fix("ms"));
+  ASSERT_NE(bodies, nullptr);
+  ASSERT_GE(bodies->n_body_all(), 20);
+  for (int b = 0; b < bodies->n_body(); b++) {
+    EXPECT_FALSE(bodies->knows_fluid(b));
+    double impulse[3];
+    bodies->take_impulse(b, impulse);
+    for (int k = 0; k < 3; k++) EXPECT_EQ(impulse[k], 0);
+  }
+}

@@ -57,12 +57,11 @@ Scene scene(int n, unsigned seed)
 // a contact as the textbooks have it: force on i, torques, new displacement
 struct Contact { bool touch, slides; Vector3d f, ti, tj, shear; };
 
-Contact contact(const Scene &s, int k, double dt, bool update, bool limit)
+Contact contact(const Ball &a, const Ball &b, const ContactPairs &p, int k, const Vector3d &before, double dt, bool update,
+                bool limit)
 {
-  const ContactPairs &p = s.pairs;
-  const Ball &a = s.balls[p.i[k]], &b = s.balls[p.j[k]];
   Contact c = {};
-  c.shear = Vector3d(p.sx[k], p.sy[k], p.sz[k]);
+  c.shear = before;
   const double delta = a.r + b.r - (a.x - b.x).norm();
   if (!(c.touch = delta > 0)) return c;
   const Vector3d n = (a.x - b.x).normalized(), ra = -(a.r - delta / 2) * n, rb = (b.r - delta / 2) * n;
@@ -100,7 +99,8 @@ TEST(ContactKernel, everyContactByTheTextbook)
       double size = 0, turn = 0;
       int touching = 0, sliding = 0;
       for (int k = 0; k < s.pairs.size(); ++k) {
-        const Contact c = contact(s, k, dt, update, limit);
+        const Contact c = contact(s.balls[s.pairs.i[k]], s.balls[s.pairs.j[k]], s.pairs, k,
+                                  Vector3d(s.pairs.sx[k], s.pairs.sy[k], s.pairs.sz[k]), dt, update, limit);
         expected.push_back(c);
         f[s.pairs.i[k]] += c.f;
         torque[s.pairs.i[k]] += c.ti;
@@ -129,6 +129,67 @@ TEST(ContactKernel, everyContactByTheTextbook)
         for (int d = 0; d < 3; ++d) EXPECT_NEAR(shear[d], expected[k].shear[d], 1e-13 * 1e-5);
       }
     }
+}
+
+// a wall is a sphere of no size, at the nearest point of the wall
+TEST(ContactKernel, everyWallByTheTextbook)
+{
+  const double dt = 1e-5;
+  WallShape plane, tube;
+  plane.axis = 1;
+  plane.at = 1e-3;
+  tube.axis = 2;
+  tube.cylinder = true;
+  tube.at = 2e-3;
+  tube.centre[0] = tube.centre[1] = 2.5e-3;
+  for (const WallShape &wall : {plane, tube})
+    for (bool update : {true, false})
+      for (bool limit : {true, false}) {
+        Scene s = scene(90, 4);
+        const ContactPairs laws = s.pairs;
+        s.pairs.clear();
+        std::vector<double> history;
+        std::vector<Contact> expected;
+        double size = 0, turn = 0;
+        int touching = 0, sliding = 0;
+        for (int i = 0; i < 90; ++i) {
+          const Ball &a = s.balls[i];
+          ContactLaw law;
+          law.kn = laws.kn[i];
+          law.kt = laws.kt[i];
+          law.gamman = laws.gamman[i];
+          law.gammat = laws.gammat[i];
+          law.friction = i % 3 ? 0.5 : 0.01;
+          const double none[3] = {0, 0, 0};
+          s.pairs.add(i, i, a.r, 0, law, none, false);
+          Ball point = {a.x, Vector3d::Zero(), Vector3d::Zero(), 0};
+          if (wall.cylinder) {
+            const Vector3d axis(2.5e-3, 2.5e-3, a.x.z());
+            point.x = axis + 2e-3 * (a.x - axis).normalized();
+          } else point.x[1] = 1e-3;
+          EXPECT_NEAR(wall.gap(a.x.data()), (a.x - point.x).norm(), 1e-15);
+          // only one that touches has been displaced
+          Vector3d shear(laws.sx[i], laws.sy[i], laws.sz[i]);
+          if ((a.x - point.x).norm() >= a.r) shear.setZero();
+          history.insert(history.end(), shear.data(), shear.data() + 3);
+          expected.push_back(contact(a, point, s.pairs, i, shear, dt, update, limit));
+          size = std::max(size, expected.back().f.norm());
+          turn = std::max(turn, expected.back().ti.norm());
+          touching += expected.back().touch;
+          sliding += expected.back().slides;
+        }
+        EXPECT_GT(sliding, 3);
+        EXPECT_GT(touching, sliding + 3);
+        EXPECT_LT(touching, 80);
+        EXPECT_EQ(wallForces({s.x.data(), s.v.data(), s.omega.data(), s.f.data(), s.torque.data(), 90}, s.pairs, wall,
+                             history.data(), dt, update, limit), touching);
+        for (int i = 0; i < 90; ++i)
+          for (int d = 0; d < 3; ++d) {
+            EXPECT_NEAR(s.f[3 * i + d], expected[i].f[d], 1e-12 * size);
+            EXPECT_NEAR(s.torque[3 * i + d], expected[i].ti[d], 1e-12 * turn);
+            EXPECT_NEAR(history[3 * i + d], expected[i].shear[d], 1e-12 * 1e-5);
+          }
+      }
 }
 
 // forces are added to, and what has touched before counts as touched

@@ -231,8 +231,8 @@ CLAY_TILES(CLAY_FOR_WIDE, 32, double)
 CLAY_TILES(CLAY_FOR_ANY, 16, float)
 CLAY_TILES(CLAY_FOR_ANY, 16, double)
 #else
-CLAY_TILES(, 16, float)
-CLAY_TILES(, 16, double)
+CLAY_TILES(CLAY_CLONES, CLAY_BYTES, float)
+CLAY_TILES(CLAY_CLONES, CLAY_BYTES, double)
 #endif
 
 }  // namespace

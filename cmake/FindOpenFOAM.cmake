@@ -37,7 +37,7 @@ if(NOT OpenFOAM_API STREQUAL 1912)
 endif()
 
 set(_need OpenFOAM finiteVolume meshTools incompressibleTransportModels
-    turbulenceModels incompressibleTurbulenceModels)
+    turbulenceModels incompressibleTurbulenceModels fvOptions)
 set(_found "")
 foreach(lib IN LISTS _need)
   find_library(OpenFOAM_${lib}_LIBRARY ${lib} HINTS ${_libdirs} ${_only})
@@ -85,5 +85,6 @@ if(OpenFOAM_FOUND AND NOT TARGET OpenFOAM::finiteVolume)
   target_link_libraries(OpenFOAM::turbulence INTERFACE OpenFOAM::finiteVolume
     ${OpenFOAM_incompressibleTurbulenceModels_LIBRARY}
     ${OpenFOAM_turbulenceModels_LIBRARY}
-    ${OpenFOAM_incompressibleTransportModels_LIBRARY})
+    ${OpenFOAM_incompressibleTransportModels_LIBRARY}
+    ${OpenFOAM_fvOptions_LIBRARY})
 endif()

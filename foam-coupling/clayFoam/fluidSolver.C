@@ -163,9 +163,21 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
         fvc::flux(evaluateCoupled(U_))
     ),
     transport_(U_, phi_),
+    turbulenceN_
+    (
+        scratch<scalar>(mesh, "fluidFraction", dimless)
+    ),
+    turbulenceFlux_(IOobject("phi", runTime.timeName(), mesh), phi_),
     turbulence_
     (
-        incompressible::turbulenceModel::New(U_, phi_, transport_)
+        fluidTurbulence::New
+        (
+            turbulenceN_,
+            U_,
+            turbulenceFlux_,
+            phi_,
+            transport_
+        )
     ),
     nPhi_("nPhi", phi_),
     pRefCell_(0),
@@ -203,6 +215,7 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
     evaluateCoupled(p_);
     setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
     mesh_.setFluxRequired(p_.name());
+    turbulenceN_ == dimensionedScalar("one", dimless, 1);
     turbulence_->validate();
 }
 

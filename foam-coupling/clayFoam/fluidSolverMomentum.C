@@ -197,7 +197,8 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fluidSolver::momentum
 
     if (!fvOptions.optionList::empty())
     {
-        UEqn -= fvOptions(U_);
+        // by the fluid's volume, as all of this equation
+        UEqn -= coupling.n()*fvOptions(U_);
     }
     UEqn.relax();
     fvOptions.constrain(UEqn);

@@ -110,11 +110,11 @@ void Foam::fluidSolver::freeFlux
     });
     faces_.flux(HbyA_, "flux(HbyA)", flux);
 
-    // walls carry no source
+    // walls carry no source, unless their p has a gradient for it
     scalarField source(sourceFaces_);
     faces_.patches([&](const label patchi, const fvPatch& patch)
     {
-        if (wall(patchi))
+        if (wall(patchi) && !carries(patchi))
         {
             SubField<scalar>(source, patch.size(), patch.start()) = 0;
         }
@@ -127,7 +127,7 @@ void Foam::fluidSolver::freeFlux
     }
     faces_.patches([&](const label patchi, const fvPatch& patch)
     {
-        if (isA<fixedFluxPressureFvPatchScalarField>(p_.boundaryField()[patchi]))
+        if (carries(patchi))
         {
             scalarField slope(patch.size());
             forAll(slope, i)

@@ -2,12 +2,23 @@
 
 #include "fluidSolver.H"
 
+#include "fixedFluxPressureFvPatchScalarField.H"
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::fluidSolver::wall(const label patchi) const
 {
     const fvPatchScalarField& pp = p_.boundaryField()[patchi];
     return !pp.fixesValue() && !pp.coupled();
+}
+
+
+bool Foam::fluidSolver::carries(const label patchi) const
+{
+    return isA<fixedFluxPressureFvPatchScalarField>
+    (
+        p_.boundaryField()[patchi]
+    );
 }
 
 
@@ -33,7 +44,16 @@ void Foam::fluidSolver::prepareFaces(const particleCoupling& coupling)
     faces_.interpolate(scratch_, "interpolate(HbyA)", dragFaces_);
     faces_.patches([&](const label patchi, const fvPatch& patch)
     {
-        if (wall(patchi))
+        const labelUList& inside = patch.faceCells();
+        if (carries(patchi))
+        {
+            // n is 1 on an inlet, but the drag that of the cell
+            forAll(inside, i)
+            {
+                dragFaces_[patch.start() + i] = drag[inside[i]];
+            }
+        }
+        else if (wall(patchi))
         {
             SubField<scalar>(dragFaces_, patch.size(), patch.start()) = 0;
         }
@@ -199,6 +219,32 @@ bool Foam::fluidSolver::settled
 }
 
 
+void Foam::fluidSolver::correctViscosity
+(
+    const particleCoupling& coupling,
+    const scalarField& ddtN
+)
+{
+    transport_.correct();
+
+    if (turbulence_->type() != "Stokes")
+    {
+        // the change of n that n phi has: a field carried by it stays uniform
+        turbulenceN_.oldTime() == coupling.nOld();
+        turbulenceN_ == coupling.n();
+        turbulenceN_.primitiveFieldRef() =
+            max
+            (
+                coupling.nOld().primitiveField()
+              + runTime_.deltaTValue()*ddtN,
+                0.1*coupling.n().primitiveField()
+            );
+        turbulenceFlux_ == nPhi_;
+    }
+    turbulence_->correct();
+}
+
+
 void Foam::fluidSolver::step(particleCoupling& coupling, const scalar part)
 {
     fv::options& fvOptions = fv::options::New(mesh_);
@@ -249,8 +295,7 @@ void Foam::fluidSolver::step(particleCoupling& coupling, const scalar part)
 
         if (pimple_.turbCorr())
         {
-            transport_.correct();
-            turbulence_->correct();
+            correctViscosity(coupling, ddtN);
         }
     }
 }

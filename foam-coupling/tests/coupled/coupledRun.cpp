@@ -145,6 +145,31 @@ std::vector<double> CoupledRun::scalars(const std::string& field) const {
   return all;
 }
 
+double CoupledRun::onPatch(const std::string& field, const std::string& patch) const {
+  const std::string text = written(field);
+  auto at = text.find(patch, text.find("boundaryField"));
+  at = text.find(" value ", at);
+  if (at == std::string::npos) throw std::runtime_error("no value of " + field + " on " + patch);
+  std::istringstream is(text.substr(at + 7));
+  std::string kind;
+  is >> kind;
+  double sum = 0;
+  std::size_t count = 1;
+  if (kind == "uniform") {
+    is >> sum;
+  } else {
+    is >> kind >> count;
+    is.ignore(1000, '(');
+    for (std::size_t i = 0; i < count; ++i) {
+      double x;
+      is >> x;
+      sum += x;
+    }
+  }
+  if (!is) throw std::runtime_error("cannot read " + field + " on " + patch);
+  return sum / static_cast<double>(count);
+}
+
 std::vector<std::array<double, 3>> CoupledRun::values(const std::string& field) const {
   const std::string text = written(field);
   auto at = text.find("internalField");

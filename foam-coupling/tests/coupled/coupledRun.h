@@ -49,6 +49,8 @@ class CoupledRun {
   std::vector<double> scalars(const std::string& field) const;
   /// Mean over the cells of a written vector field of the last time.
   std::array<double, 3> meanOfField(const std::string& field) const;
+  /// A scalar field's mean value on a patch, at the last time.
+  double onPatch(const std::string& field, const std::string& patch) const;
   const std::filesystem::path& path() const { return path_; }
 
  private:

@@ -1,0 +1,229 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+// What a case brings of OpenFOAM's own: fvOptions, turbulence models, boundary
+// conditions; each against a known value.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "coupledRun.h"
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double rhoF = 1000;
+
+/// A square duct along z, cells of that size [m], in which every cell of the
+/// lowest ones holds one sphere that nothing moves. Fluid comes in below.
+struct HeldBed {
+  double cell = 0.01, solid = 0.4, U0 = 1, nu = 1e-6;
+  int high = 12, filled = 12;
+
+  double d() const { return cell * std::cbrt(6 * solid / pi); }
+
+  CoupledRun run(const std::string& name) const {
+    CoupledRun run(name);
+    std::ostringstream entries, hi, to, count;
+    entries << "x1 " << 2 * cell << "; y1 " << 2 * cell << "; z1 " << high * cell
+            << "; nx 2; ny 2; nz " << high << "; sideType patch; bottomType patch; topType patch;"
+            << "sideU slip; bottomU fixedValue; topU zeroGradient; topP fixedValue; nu " << nu
+            << "; U0 (0 0 " << U0 << ");";
+    hi << 2 * cell << "," << 2 * cell << "," << high * cell;
+    to << 2 * cell << "," << 2 * cell << "," << filled * cell;
+    count << "2,2," << filled;
+    run.box(entries.str());
+    run.edit("0/U", "{ type $bottomU; }", "{ type $bottomU; value uniform $U0; }");
+    run.dem("hi", hi.str()).dem("to", to.str()).dem("count", count.str());
+    run.dem("radius", d() / 2).dem("frozen", 1).dem("step", 1e-4).dem("interval", 20);
+    return run;
+  }
+};
+
+/// Writes a scalar field of the start: this value inside and on the inlet.
+void scalarField(const CoupledRun& run, const std::string& name, const std::string& dims,
+                 double value) {
+  std::ofstream(run.path() / "0" / name)
+      << "FoamFile { version 2.0; format ascii; class volScalarField; object " << name << "; }\n"
+      << "dimensions " << dims << ";\ninternalField uniform " << value << ";\n"
+      << "boundaryField\n{\n    \"(left|right|front|back|top)\" { type zeroGradient; }\n"
+      << "    bottom { type fixedValue; value uniform " << value << "; }\n}\n";
+}
+
+/// Names the turbulence model; convection of its fields is upwind.
+void turbulence(CoupledRun& run, const std::string& kind, const std::string& model) {
+  run.edit("constant/turbulenceProperties", "simulationType  laminar;",
+           "simulationType " + kind + ";\n" + kind + " { " + kind + "Model " + model +
+               "; turbulence on; printCoeffs off; delta cubeRootVol; cubeRootVolCoeffs {} }");
+  run.edit("system/fvSchemes", "default                         none;",
+           "default none; div(phi,k) Gauss upwind; div(phi,epsilon) Gauss upwind;"
+           "div(phi,omega) Gauss upwind;");
+  run.edit("system/fvSchemes", "snGradSchemes ", "wallDist { method meshWave; }\nsnGradSchemes ");
+  run.edit("system/fvSolution", "(U|UFinal)", "(U|k|epsilon|omega)(Final)?");
+}
+
+/// One row of cells of the stream in the bed.
+struct Row {
+  double k, second;  ///< second: epsilon or omega
+};
+
+/// The rows of cells of a held bed, from the balances of k and epsilon (or omega) over each
+/// cell: n phi (k - kBelow) = n V (G - 2/3 k div U - eps). phi grows in the first cell alone;
+/// G follows from the cells' own U. rates(row, div U, G/nut) returns the two right-hand sides
+/// by k and by the second.
+template <class Rates>
+std::vector<Row> rows(const HeldBed& bed, const CoupledRun& run, Row in, Rates rates) {
+  const auto U = run.values("U");
+  const auto face = [&](int below) {  // U on the face above that row
+    if (below < 0) return bed.U0;
+    const auto b = static_cast<std::size_t>(4 * below);
+    return below + 1 < bed.high ? 0.5 * (U[b][2] + U[b + 4][2]) : U[b][2];
+  };
+  const double n = 1 - bed.solid, stay = n * bed.cell / bed.U0;  // time in a cell [s]
+  std::vector<Row> all;
+  for (int i = 0; i < bed.high; ++i) {
+    const double divU = i == 0 ? (1 / n - 1) * bed.U0 / bed.cell : 0;
+    const double slope = (face(i) - face(i - 1)) / bed.cell;
+    Row here = in;
+    for (int j = 0; j < 2000; ++j) {
+      const auto [byK, bySecond] = rates(here, divU, 4 / 3. * slope * slope);
+      here.k = 0.5 * here.k + 0.5 * in.k / (1 - stay * byK);
+      here.second = 0.5 * here.second + 0.5 * in.second / (1 - stay * bySecond);
+    }
+    all.push_back(here);
+    in = here;
+  }
+  return all;
+}
+
+void expectRows(const CoupledRun& run, const std::string& second, const std::vector<Row>& rows) {
+  const auto k = run.scalars("k"), other = run.scalars(second);
+  ASSERT_EQ(k.size(), 4 * rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_NEAR(k[4 * i] / rows[i].k, 1, 2e-3) << "k of row " << i;
+    EXPECT_NEAR(other[4 * i] / rows[i].second, 1, 2e-3) << second << " of row " << i;
+  }
+}
+
+}  // namespace
+
+// A body force of the fluid stands in p, and acts on the spheres like the buoyancy of a fluid
+// with that weight. By the fluid's volume: else it would be off by n
+TEST(FvOptions, ActByTheFluidsVolume) {
+  const double d = 2e-3, mu = 1, solid = 0.1, n = 1 - solid, S = 15;
+  const int across = 4, high = 40;
+  const double a = d * std::cbrt(pi / 6 / solid), width = across * a, height = (high + 4) * a;
+  CoupledRun run("fvoptions");
+  std::ostringstream entries, lo, hi, from, to;
+  for (auto* os : {&entries, &hi, &from, &to}) os->precision(17);
+  entries << "x1 " << width << "; y1 " << width << "; z1 " << height
+          << "; nx 1; ny 1; nz 20; sideU slip; nu " << mu / rhoF << ";";
+  hi << width << "," << width << "," << height;
+  from << "0,0," << 2 * a;
+  to << width << "," << width << "," << (high + 2) * a;
+  run.box(entries.str());
+  run.dem("hi", hi.str()).dem("from", from.str()).dem("to", to.str());
+  run.dem("count", "4,4,40").dem("stagger", 1).dem("radius", d / 2).dem("steps", 2000);
+  run.dem("zlo", (2 + 0.25 * high) * a).dem("zhi", (2 + 0.75 * high) * a);
+  run.properties("forceModels (pressureGradient);");
+  std::ofstream(run.path() / "system" / "fvOptions")
+      << "FoamFile { version 2.0; format ascii; class dictionary; object fvOptions; }\n"
+      << "lift { type vectorSemiImplicitSource; active yes; selectionMode all;\n"
+      << "  volumeMode specific; injectionRateSuSp { U ((0 0 " << S << ") 0); } }\n";
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+
+  // Stokes regime: v = n rhoF S d^2/(18 mu) n^3.7, downwards
+  const double stokes = rhoF * S * d * d / (18 * mu) * std::pow(n, 3.7);
+  double slip = stokes;
+  for (int i = 0; i < 300; ++i)
+    slip = 0.5 * slip + 0.5 * stokes / (1 + 0.15 * std::pow(n * rhoF * slip * d / mu, 0.687));
+  const auto history = run.history();
+  double mean = 0;
+  const std::size_t half = history.size() / 2;
+  for (std::size_t i = half; i < history.size(); ++i)
+    mean += history[i]["velocity"][2].get<double>() / static_cast<double>(history.size() - half);
+  EXPECT_NEAR(-mean / (n * slip), 1, 2e-3);
+  EXPECT_LT(run.cfd()["max_momentum_residual"], 1e-10);
+}
+
+TEST(Turbulence, KEpsilonOfTheFluidInABed) {
+  const HeldBed bed;
+  auto run = bed.run("kEpsilon");
+  turbulence(run, "RAS", "kEpsilon");
+  const Row in{1e-5, 2e-4};
+  scalarField(run, "k", "[0 2 -2 0 0 0 0]", in.k);
+  scalarField(run, "epsilon", "[0 2 -3 0 0 0 0]", in.second);
+  scalarField(run, "nut", "[0 2 -1 0 0 0 0]", 0.09 * in.k * in.k / in.second);
+  run.properties("dragModel Stokes;").dem("steps", 6000);
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+  expectRows(run, "epsilon", rows(bed, run, in, [](const Row& r, double divU, double GbyNu) {
+    const double C1 = 1.44, C2 = 1.92, time = r.k / r.second, G = 0.09 * time * GbyNu;
+    return std::pair{G - 2 / 3. * divU - 1 / time, C1 * G - 2 / 3. * C1 * divU - C2 / time};
+  }));
+}
+
+TEST(Turbulence, KOmegaSSTOfTheFluidInABed) {
+  const HeldBed bed;
+  auto run = bed.run("kOmegaSST");
+  turbulence(run, "RAS", "kOmegaSST");
+  const Row in{1e-6, 200};
+  scalarField(run, "k", "[0 2 -2 0 0 0 0]", in.k);
+  scalarField(run, "omega", "[0 0 -1 0 0 0 0]", in.second);
+  scalarField(run, "nut", "[0 2 -1 0 0 0 0]", in.k / in.second);
+  run.properties("dragModel Stokes;").dem("steps", 6000);
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+  expectRows(run, "omega", rows(bed, run, in, [](const Row& r, double divU, double GbyNu) {
+    const double betaStar = 0.09, beta2 = 0.0828, gamma2 = 0.44, w = r.second;
+    return std::pair{GbyNu / w - 2 / 3. * divU - betaStar * w,
+                     gamma2 * GbyNu / w - 2 / 3. * gamma2 * divU - beta2 * w};
+  }));
+}
+
+// nut of a shear flow, and the stress that goes with it
+TEST(Turbulence, SmagorinskyInAShearFlow) {
+  CoupledRun run("Smagorinsky");
+  const double H = 0.08;
+  run.box("x1 0.02; y1 0.02; z1 0.08; nx 2; ny 2; nz 8; sideType cyclic; sideU cyclic;"
+          "sideP cyclic; bottomType wall; topType wall; bottomU noSlip; topU fixedValue; nu 4e-3;");
+  run.edit("0/U", "{ type $topU; }", "{ type $topU; value uniform (1 0 0); }");
+  turbulence(run, "LES", "Smagorinsky");
+  std::ofstream(run.path() / "0" / "nut")
+      << "FoamFile { version 2.0; format ascii; class volScalarField; object nut; }\n"
+      << "dimensions [0 2 -1 0 0 0 0];\ninternalField uniform 0;\nboundaryField\n{\n"
+      << "    \"(left|right|front|back)\" { type cyclic; }\n"
+      << "    \"(bottom|top)\" { type zeroGradient; }\n}\n";
+  run.properties("dragModel Stokes;").dem("hi", "0.02,0.02,0.08").dem("from", "0.009,0.009,0.04");
+  run.dem("to", "0.01,0.01,0.041").dem("frozen", 1).dem("radius", 1e-8).dem("step", 1e-3).dem("steps", 4000);
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+
+  const double Ck = 0.094, Ce = 1.048, delta = 0.01, slope = 1 / H;
+  const auto nut = run.scalars("nut");
+  const auto U = run.values("U");
+  for (std::size_t row = 1; row < 7; ++row) {
+    EXPECT_NEAR(U[4 * row][0], (static_cast<double>(row) + 0.5) / 8, 1e-4);
+    EXPECT_NEAR(nut[4 * row] / (Ck * std::sqrt(Ck / Ce) * delta * delta * slope), 1, 1e-3);
+  }
+}
+
+// Ergun's law over the cells of a bed that lies on the inlet
+TEST(FixedFluxPressure, CarriesTheForceOfABedToTheInlet) {
+  HeldBed bed;
+  bed.U0 = 0.01;
+  bed.nu = 1e-3;
+  bed.filled = 5;
+  auto run = bed.run("inlet");
+  run.box("bottomP fixedFluxPressure;");
+  run.edit("0/p", "{ type $bottomP; }", "{ type $bottomP; value uniform 0; }");
+  run.properties("dragModel Ergun;").dem("steps", 6000);
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+
+  const auto n = run.scalars("voidfraction");
+  double p = 0;
+  for (std::size_t row = 0; row < 12; ++row) {
+    const double e = n[4 * row], s = 1 - e, d = bed.d();
+    p += bed.cell * (150 * s * s * bed.nu * bed.U0 / (e * e * e * d * d) +
+                     1.75 * s * bed.U0 * bed.U0 / (e * e * e * d));
+  }
+  EXPECT_NEAR(n[0], 0.6, 1e-6);
+  EXPECT_NEAR(run.onPatch("p", "bottom") / p, 1, 2e-3);
+}

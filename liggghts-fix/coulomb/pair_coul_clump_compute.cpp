@@ -59,7 +59,7 @@ bool PairCoulClump::same_bodies() const
   if (charged != order_.size()) return false;
   for (std::size_t g = 0; g < groups_.groups.size(); g++) {
     const clay::ChargeGroup &group = groups_.groups[g];
-    if (group.loose()) return false;
+    if (group.loose() || !group.acted) return false;   // spheres that were ghosts are this processor's now
     for (int k = group.begin; k < group.end; k++)
       if (multisphere_->belongs_to(order_[k]) != group.body || charge_[atom->type[order_[k]]] != groups_.q[k]) return false;
   }

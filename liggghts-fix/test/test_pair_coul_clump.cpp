@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <map>
 
 #include "host.h"
@@ -302,4 +303,40 @@ TEST(PairCoulClumpParallel, twoProcessorsGiveTheSameAsOne)
   alone(again());
   together(again());
   expect_same(alone.atoms(), together.atoms());
+}
+
+namespace {
+
+// two rods that lie across the border of two processors and fall until both are on one, which then has no ghosts
+std::vector<test::Atom> fallen(MPI_Comm comm)
+{
+  Host host(comm);
+  host(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.03 0.03") + test::material("coul/clump 0.008") + charges +
+       "fix rod all particletemplate/clay generic seed 15485863 type 1 atom_types 1 2 density 2600 "
+       "spheres 2 0 0 -7e-4 1e-3 P 0 0 7e-4 1e-3 P\n"
+       "fix ms all multisphere\nfix put all insert/placed file coul_clump_fall.places templates rod verbose no\n"
+       "fix fall all gravity 9.81 vector 0 0 -1\ntimestep 1e-4\nrun 250\n");
+  return host.atoms();
+}
+
+}  // namespace
+
+TEST(PairCoulClumpParallel, spheresThatWereGhostsAreActedOnOnceTheyAreTheProcessorsOwn)
+{
+  ASSERT_EQ(test::processors(), 2);
+  int rank;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0) {
+    std::ofstream f("coul_clump_fall.places");
+    f << "rod -0.0025 0 0.0003 1 0 0 0\nrod 0.0025 0 0.0003 1 0 0 0\n";
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  const std::vector<test::Atom> alone = fallen(MPI_COMM_SELF), together = fallen(MPI_COMM_WORLD);
+  ASSERT_EQ(alone.size(), 4u);
+  ASSERT_EQ(together.size(), 4u);
+  for (std::size_t i = 0; i < 4; i++) {
+    EXPECT_LT(together[i].x[2], -5e-4);
+    EXPECT_GT(std::abs(alone[i].v[0]), 1e-4);
+    EXPECT_NEAR(together[i].v[0], alone[i].v[0], 1e-9 * std::abs(alone[i].v[0]));
+  }
 }

@@ -1,13 +1,16 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #include "clumps/clay_settings.h"
 
+#include <climits>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 #include "error.h"
 #include "lammps.h"
 #include "pointers.h"
+#include "script/values.h"
 
 using namespace LAMMPS_NS;
 
@@ -27,33 +30,22 @@ class Reader {
 
   double number(const std::string &what)
   {
-    const std::string w = word(what);
-    char *end = nullptr;
-    const double v = std::strtod(w.c_str(), &end);
-    if (w.empty() || *end) fail(what + " is '" + w + "': a number is needed");
-    return v;
+    return read([&] { return clay::number(what, word(what)); });
   }
 
   double positive(const std::string &what)
   {
-    const double v = number(what);
-    if (!(v > 0)) fail(what + " is " + arg_[at_ - 1] + ": it must be greater than 0");
-    return v;
+    return read([&] { return clay::positiveNumber(what, word(what)); });
   }
 
   int count(const std::string &what)
   {
-    const double v = number(what);
-    if (v != static_cast<int>(v) || v < 1)
-      fail(what + " is " + arg_[at_ - 1] + ": a whole number of 1 or more is needed");
-    return static_cast<int>(v);
+    return static_cast<int>(read([&] { return clay::wholeNumber(what, word(what), 1, INT_MAX); }));
   }
 
   bool choice(const std::string &what, const char *no, const char *yes)
   {
-    const std::string w = word(what);
-    if (w != no && w != yes) fail(what + " is '" + w + "': choose " + no + " or " + yes);
-    return w == yes;
+    return read([&] { return clay::choice(what, word(what), no, yes); });
   }
 
   // sphere of a generic clump: x y z radius and P or N
@@ -73,6 +65,17 @@ class Reader {
   }
 
  private:
+  // what is refused ends the run
+  template <class Read>
+  auto read(Read value) -> decltype(value())
+  {
+    try {
+      return value();
+    } catch (const std::invalid_argument &e) {
+      fail(e.what());
+    }
+  }
+
   LAMMPS *lmp_;
   int narg_;
   char **arg_;

@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <climits>
 #include <cstring>
+#include <stdexcept>
+#include <string>
 
 #include "atom.h"
 #include "comm.h"
@@ -20,6 +23,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "script/values.h"
 
 using namespace LAMMPS_NS;
 
@@ -61,44 +65,36 @@ void PairCoulClump::allocate()
 
 void PairCoulClump::settings(int narg, char **arg)
 {
-  if (narg < 1) error->all(FLERR,"Pair style coul/clump: the cut-off is missing (m)");
+  try {
+    parse(narg, arg);
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR,(std::string("Pair style coul/clump: ") + e.what()).c_str());
+  }
+}
+
+void PairCoulClump::parse(int narg, char **arg)
+{
+  if (narg < 1) throw std::invalid_argument("the cut-off is missing (m)");
   law_ = clay::CoulombLaw();
   permittivity_ = 1.0;
   every_ = 1;
   hold_ = false;
   groups_.single = false;
-
-  char text[256];
-  law_.cutoff = force->numeric(FLERR, arg[0]);
-  if (!(law_.cutoff > 0.0)) {
-    snprintf(text, sizeof text, "Pair style coul/clump: cut-off is %s: it must be greater than 0 (m)", arg[0]);
-    error->all(FLERR, text);
-  }
+  law_.cutoff = clay::positiveNumber("cut-off", arg[0]);
 
   for (int i = 1; i < narg; i++) {
-    if (strcmp(arg[i],"sharp") == 0) law_.shifted = false;
-    else if (strcmp(arg[i],"shifted") == 0) law_.shifted = true;
-    else if (strcmp(arg[i],"permittivity") == 0 && i+1 < narg) {
-      permittivity_ = force->numeric(FLERR, arg[++i]);
-      if (!(permittivity_ > 0.0)) {
-        snprintf(text, sizeof text, "Pair style coul/clump: permittivity is %s: the relative permittivity is greater than 0", arg[i]);
-        error->all(FLERR, text);
-      }
-    } else if (strcmp(arg[i],"every") == 0 && i+1 < narg) {
-      every_ = force->inumeric(FLERR, arg[++i]);
-      if (every_ < 1) {
-        snprintf(text, sizeof text, "Pair style coul/clump: every is %s: it must be 1 or more (steps)", arg[i]);
-        error->all(FLERR, text);
-      }
+    const std::string word = arg[i];
+    if (word == "sharp") law_.shifted = false;
+    else if (word == "shifted") law_.shifted = true;
+    else if (word == "permittivity" && i+1 < narg) permittivity_ = clay::positiveNumber(word, arg[++i]);
+    else if (word == "every" && i+1 < narg) {
+      every_ = static_cast<int>(clay::wholeNumber(word, arg[++i], 1, INT_MAX));
       if (i+1 < narg && strcmp(arg[i+1],"impulse") == 0) { hold_ = false; i++; }
       else if (i+1 < narg && strcmp(arg[i+1],"hold") == 0) { hold_ = true; i++; }
-    } else if (strcmp(arg[i],"double") == 0) groups_.single = false;
-    else if (strcmp(arg[i],"single") == 0) groups_.single = true;
-    else {
-      snprintf(text, sizeof text, "Pair style coul/clump: '%s' is not understood: sharp, shifted, permittivity EPS, "
-               "every N [impulse|hold], double or single may follow the cut-off", arg[i]);
-      error->all(FLERR, text);
-    }
+    } else if (word == "double") groups_.single = false;
+    else if (word == "single") groups_.single = true;
+    else throw std::invalid_argument("'" + word + "' is not understood: sharp, shifted, permittivity EPS, "
+                                     "every N [impulse|hold], double or single may follow the cut-off");
   }
   law_.k /= permittivity_;
 }

@@ -52,6 +52,7 @@ class PairCoulClump : public Pair {
   bigint evaluations() const { return evaluations_; }
 
  private:
+  void parse(int, char **);
   void allocate();
   bool same_bodies() const;
   void lay_out();

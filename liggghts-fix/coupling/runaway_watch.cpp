@@ -62,7 +62,7 @@ void RunawayWatch::step()
     const double far2 = (v[i][0]*v[i][0] + v[i][1]*v[i][1] + v[i][2]*v[i][2])*dt2;
     // false for NaN, too
     if (far2 <= 4.*radius[i]*radius[i]) continue;
-    stop(i,std::isfinite(far2) ? "moves more than its diameter in a step" : "is no number",checked_);
+    stop(i,std::isfinite(far2) ? "moves more than its diameter in a step" : "is NaN",checked_);
   }
   checked_ = update->ntimestep;
 }
@@ -75,7 +75,7 @@ void RunawayWatch::places()
   for (int i = 0; i < atom->nlocal; i++)
     for (int k = 0; k < 3; k++) {
       const double x = atom->x[i][k];
-      if (!std::isfinite(x)) stop(i,"is no number",checked_);
+      if (!std::isfinite(x)) stop(i,"is NaN",checked_);
       // a border that shrink-wraps moves along
       if (periodic[k] || domain->boundary[k][0] != 1 || domain->boundary[k][1] != 1) continue;
       if (x < domain->boxlo[k] || x >= domain->boxhi[k]) stop(i,"was pushed out of the box",checked_);

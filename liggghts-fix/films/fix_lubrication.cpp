@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 
 #include "atom.h"
@@ -18,6 +19,7 @@
 #include "force.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "script/values.h"
 #include "simd/near_pairs.h"
 #include "primitive_wall.h"
 #include "update.h"
@@ -31,7 +33,11 @@ FixLubrication::FixLubrication(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), given_(false), pairs_on_(true), walls_on_(true), bodies_(NULL),
   built_(-1), nall_(-1)
 {
-  parse(narg,arg);
+  try {
+    parse(narg,arg);
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR,(std::string("Fix lubrication: ") + e.what()).c_str());
+  }
   mine_[0] = mine_[1] = 0.;
   mine_[2] = law_.outer;
   vector_flag = 1;
@@ -43,50 +49,30 @@ FixLubrication::FixLubrication(LAMMPS *lmp, int narg, char **arg) :
 
 /* ---------------------------------------------------------------------- */
 
-double FixLubrication::positive(const char *key, const char *text)
-{
-  const double value = force->numeric(FLERR,text);
-  if (!(value > 0.))
-    error->all(FLERR,(std::string("Fix lubrication: ") + key + " is " + text +
-                      ": it must be greater than 0").c_str());
-  return value;
-}
-
-bool FixLubrication::word(const char *key, const char *text)
-{
-  if (strcmp(text,"yes") && strcmp(text,"no"))
-    error->all(FLERR,(std::string("Fix lubrication: ") + key + " is '" + text +
-                      "'; yes or no is wanted").c_str());
-  return strcmp(text,"yes") == 0;
-}
-
-/* ---------------------------------------------------------------------- */
-
 void FixLubrication::parse(int narg, char **arg)
 {
   for (int n = 3; n < narg; n += 2) {
     const std::string key = arg[n];
-    if (n+1 == narg)
-      error->all(FLERR,("Fix lubrication: keyword '" + key + "' needs a value").c_str());
+    if (n+1 == narg) throw std::invalid_argument("keyword '" + key + "' needs a value");
     const char *value = arg[n+1];
-    if (key == "viscosity") { law_.viscosity = positive("viscosity",value); given_ = true; }
-    else if (key == "outer") law_.outer = positive("outer",value);
-    else if (key == "inner") law_.inner = positive("inner",value);
-    else if (key == "logarithm") law_.logarithm = word("logarithm",value);
-    else if (key == "shear") law_.shear = word("shear",value);
-    else if (key == "shifted") law_.shifted = word("shifted",value);
-    else if (key == "contact") law_.contact = word("contact",value);
-    else if (key == "pairs") pairs_on_ = word("pairs",value);
-    else if (key == "walls") walls_on_ = word("walls",value);
+    if (key == "viscosity") { law_.viscosity = clay::positiveNumber(key,value); given_ = true; }
+    else if (key == "outer") law_.outer = clay::positiveNumber(key,value);
+    else if (key == "inner") law_.inner = clay::positiveNumber(key,value);
+    else if (key == "logarithm") law_.logarithm = clay::yesOrNo(key,value);
+    else if (key == "shear") law_.shear = clay::yesOrNo(key,value);
+    else if (key == "shifted") law_.shifted = clay::yesOrNo(key,value);
+    else if (key == "contact") law_.contact = clay::yesOrNo(key,value);
+    else if (key == "pairs") pairs_on_ = clay::yesOrNo(key,value);
+    else if (key == "walls") walls_on_ = clay::yesOrNo(key,value);
     else
-      error->all(FLERR,("Fix lubrication: unknown keyword '" + key + "'; known are viscosity, outer, inner, "
-                        "logarithm, shear, shifted, contact, pairs, walls").c_str());
+      throw std::invalid_argument("unknown keyword '" + key + "'; known are viscosity, outer, inner, "
+                                  "logarithm, shear, shifted, contact, pairs, walls");
   }
   if (law_.inner >= law_.outer) {
     char text[160];
-    snprintf(text,sizeof text,"Fix lubrication: the inner gap, %g, is not below the outer one, %g (in mean radii)",
+    snprintf(text,sizeof text,"the inner gap, %g, is not below the outer one, %g (in mean radii)",
              law_.inner,law_.outer);
-    error->all(FLERR,text);
+    throw std::invalid_argument(text);
   }
   law_.shear = law_.shear && law_.logarithm;
 }
@@ -107,7 +93,7 @@ void FixLubrication::init()
   if (!comm->ghost_velocity)
     error->all(FLERR,"Fix lubrication: requires velocities of ghost atoms: communicate single vel yes");
   if (modify->n_fixes_style("lubrication") > 1)
-    error->all(FLERR,"Fix lubrication: there is one already; one fix shares each sphere's mass among its films");
+    error->all(FLERR,"Fix lubrication: only one fix lubrication is allowed; it shares each sphere's mass among its films");
 
   const int mine = modify->find_fix(id);
   for (int i = mine + 1; i < modify->nfix; i++) {

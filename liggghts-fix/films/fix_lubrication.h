@@ -46,8 +46,6 @@ class FixLubrication : public Fix {
   struct Thin { clay::Film film; int i, j; double n[3]; };   // j < 0: a wall
 
   void parse(int, char **);
-  double positive(const char *, const char *);
-  bool word(const char *, const char *);
   void seek_pairs();
   void seek_walls();
   void find_films();

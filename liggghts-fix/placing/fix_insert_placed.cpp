@@ -20,6 +20,7 @@
 #include "fix_template_sphere.h"
 #include "modify.h"
 #include "particleToInsert_multisphere.h"
+#include "script/values.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -54,9 +55,11 @@ FixInsertPlaced::FixInsertPlaced(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, n
         fail(iarg == narg ? "the templates' fix IDs are missing"
                           : "there is no fix '" + std::string(arg[iarg]) + "' to be a template");
     } else if (key == "verbose") {
-      const std::string word = iarg < narg ? arg[iarg++] : "";
-      if (word != "yes" && word != "no") fail("verbose is '" + word + "': choose yes or no");
-      verbose_ = word == "yes";
+      try {
+        verbose_ = clay::yesOrNo(key, iarg < narg ? arg[iarg++] : "");
+      } catch (const std::invalid_argument &e) {
+        fail(e.what());
+      }
     } else if (!templates_.empty() && std::string(arg[iarg-2]) == kinds_.back().name) {
       fail("there is no fix '" + key + "' to be a template");
     } else fail("unknown keyword '" + key + "': file, templates and verbose are known");

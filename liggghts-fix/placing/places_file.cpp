@@ -2,9 +2,10 @@
 #include "placing/places_file.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
+
+#include "script/values.h"
 
 namespace clay {
 namespace {
@@ -27,14 +28,25 @@ class Line {
 
   double number(std::size_t i, const char* what) const
   {
-    const std::string& w = words_[i];
-    char* end = nullptr;
-    const double v = std::strtod(w.c_str(), &end);
-    if (*end || !std::isfinite(v)) fail(std::string(what) + " is '" + w + "': a number is needed");
-    return v;
+    return read([&] { return clay::number(what, words_[i]); });
+  }
+
+  double positive(std::size_t i, const char* what) const
+  {
+    return read([&] { return clay::positiveNumber(what, words_[i]); });
   }
 
  private:
+  template <class Read>
+  double read(Read value) const
+  {
+    try {
+      return value();
+    } catch (const std::invalid_argument& e) {
+      fail(e.what());
+    }
+  }
+
   const std::string& file_;
   int number_;
   std::vector<std::string> words_;
@@ -86,8 +98,7 @@ std::vector<Place> readPlaces(const std::string& text, const std::string& file,
       }
       for (double& c : p.q) c /= norm;
     } else if (n == 5) {
-      p.radius = line.number(4, "the radius");
-      if (!(p.radius > 0)) line.fail("the radius is " + line.words()[4] + ": it must be greater than 0");
+      p.radius = line.positive(4, "the radius");
     }
     places.push_back(p);
   }

@@ -72,8 +72,8 @@ TEST(PlacesFile, refusalsNameFileAndLine)
             "file list, line 1: template '4' is not known; known are 1 = ill, 2 = kao, 3 = grain");
   EXPECT_EQ(refusal("ill 0 0 0"), "file list, line 1: 4 words; needed are 8: template x y z q0 q1 q2 q3");
   EXPECT_EQ(refusal("grain 0 0"), "file list, line 1: 3 words; needed are 4 or 5: template x y z [radius]");
-  EXPECT_EQ(refusal("ill 0 0 high 1 0 0 0"), "file list, line 1: a coordinate is 'high': a number is needed");
-  EXPECT_EQ(refusal("ill 0 0 nan 1 0 0 0"), "file list, line 1: a coordinate is 'nan': a number is needed");
+  EXPECT_EQ(refusal("ill 0 0 high 1 0 0 0"), "file list, line 1: a coordinate is 'high'; it must be a number");
+  EXPECT_EQ(refusal("ill 0 0 nan 1 0 0 0"), "file list, line 1: a coordinate is 'nan'; it must be a number");
   EXPECT_EQ(refusal("ill 0 0 0 1 0 0 1"), "file list, line 1: the quaternion has length 1.41421: 1 is needed");
-  EXPECT_EQ(refusal("grain 0 0 0 -1"), "file list, line 1: the radius is -1: it must be greater than 0");
+  EXPECT_EQ(refusal("grain 0 0 0 -1"), "file list, line 1: the radius is '-1'; it must be a number greater than 0");
 }

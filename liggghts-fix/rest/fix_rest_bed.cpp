@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <cstdlib>
 #include <cstring>
 
@@ -19,6 +21,7 @@
 #include "memory.h"
 #include "modify.h"
 #include "coulomb/pair_coul_clump.h"
+#include "script/values.h"
 #include "update.h"
 #include "rest/verlet_clay.h"
 
@@ -41,11 +44,15 @@ FixRestBed::FixRestBed(LAMMPS *lmp, int narg, char **arg) :
   size_vector = 3;
   global_freq = 1;
   extvector = 0;
-  parse(narg,arg);
+  try {
+    parse(narg,arg);
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR,(std::string("Fix rest/bed: ") + e.what()).c_str());
+  }
   watch_.restart(limits_);
 
   if (modify->n_fixes_style("rest/bed") > 0)
-    error->all(FLERR,"Fix rest/bed: there is one already");
+    error->all(FLERR,"Fix rest/bed: only one fix rest/bed is allowed");
   if (strcmp(update->integrate_style,"verlet"))
     error->all(FLERR,(std::string("Fix rest/bed: works with run_style verlet, not with ") +
                       update->integrate_style).c_str());
@@ -72,26 +79,16 @@ FixRestBed::~FixRestBed()
 void FixRestBed::parse(int narg, char **arg)
 {
   if (igroup != 0)
-    error->all(FLERR,"Fix rest/bed: its group must be 'all', since any particle may wake another");
+    throw std::invalid_argument("its group must be 'all', since any particle may wake another");
   for (int i = 3; i < narg; i += 2) {
     const std::string key = arg[i];
-    const bool known = key == "window" || key == "move" || key == "error" || key == "longest" || key == "fluid";
-    if (!known)
-      error->all(FLERR,("Fix rest/bed: unknown keyword '" + key +
-                        "'; known are window, move, error, longest, fluid").c_str());
-    if (i+1 == narg) error->all(FLERR,("Fix rest/bed: keyword '" + key + "' needs a value").c_str());
-    char *end = NULL;
-    const double value = strtod(arg[i+1],&end);
-    const bool whole = key != "longest" || (value >= 1 && value <= 1e6 && value == std::floor(value));
-    if (*end || !(value > 0.) || !whole)
-      error->all(FLERR,("Fix rest/bed: " + key + " is '" + arg[i+1] + "'; " +
-                        (key == "longest" ? "a whole number from 1 to 1000000" : "a number above 0") +
-                        " is wanted").c_str());
-    if (key == "window") seconds_ = value;
-    else if (key == "move") limits_.move = value;
-    else if (key == "error") limits_.error = value;
-    else if (key == "longest") limits_.longest = static_cast<int>(value);
-    else fluid_ = value;
+    if (i+1 == narg) throw std::invalid_argument("keyword '" + key + "' needs a value");
+    if (key == "window") seconds_ = clay::positiveNumber(key,arg[i+1]);
+    else if (key == "move") limits_.move = clay::positiveNumber(key,arg[i+1]);
+    else if (key == "error") limits_.error = clay::positiveNumber(key,arg[i+1]);
+    else if (key == "longest") limits_.longest = static_cast<int>(clay::wholeNumber(key,arg[i+1],1,1000000));
+    else if (key == "fluid") fluid_ = clay::positiveNumber(key,arg[i+1]);
+    else throw std::invalid_argument("unknown keyword '" + key + "'; known are window, move, error, longest, fluid");
   }
 }
 
@@ -125,7 +122,7 @@ std::string FixRestBed::why_not() const
   Pair *pair = force->pair ? force->pair_match("coul/clump",1) : NULL;
   const PairCoulClump *coul = dynamic_cast<PairCoulClump*>(pair);
   if (coul && coul->kicks())
-    return "pair coul/clump gives its force in impulses; every N hold is wanted";
+    return "pair coul/clump gives its force in impulses; it must be every N hold";
   for (int i = 0; i < modify->nfix; i++) {
     const Fix *fix = modify->fix[i];
     if (!strncmp(fix->style,"wall/gran",9)) {

@@ -5,10 +5,11 @@
 #include "settling/fix_settling_curve.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
+#include <stdexcept>
+#include <string>
 
 #include "atom.h"
 #include "comm.h"
@@ -23,6 +24,7 @@
 #include "neigh_list.h"
 #include "pair_gran.h"
 #include "primitive_wall.h"
+#include "script/values.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -35,49 +37,12 @@ FixSettlingCurve::FixSettlingCurve(LAMMPS *lmp, int narg, char **arg) : Fix(lmp,
   area_given_(false), bottom_given_(false), multisphere_(NULL), diameter_(0.0),
   measured_(-1), written_(-1), interface_(0.0), bed_(0.0), mean_(0.0), overlap_(0.0), volume_(0.0)
 {
-  if (narg < 4) error->fix_error(FLERR, this, "the number of steps between two rows is missing");
-  nevery = atoi(arg[3]);
-  char text[256];
-  if (nevery < 1) {
-    snprintf(text, sizeof text, "'%s' steps between two rows: a whole number of 1 or more is needed", arg[3]);
-    error->fix_error(FLERR, this, text);
-  }
-
   bool append = false;
-  for (int iarg = 4; iarg < narg; iarg++) {
-    if (strcmp(arg[iarg],"file") == 0 || strcmp(arg[iarg],"append") == 0) {
-      append = arg[iarg][0] == 'a';
-      if (iarg+1 >= narg) error->fix_error(FLERR, this, "the file's name is missing");
-      name_ = arg[++iarg];
-    }
-    else if (strcmp(arg[iarg],"scale") == 0) scale_ = number(iarg, narg, arg);
-    else if (strcmp(arg[iarg],"quantile") == 0) {
-      quantile_ = number(iarg, narg, arg);
-      if (quantile_ <= 0.1 || quantile_ > 1.0) {
-        snprintf(text, sizeof text, "quantile is %s: it must be above 0.1 and at most 1", arg[iarg]);
-        error->fix_error(FLERR, this, text);
-      }
-    }
-    else if (strcmp(arg[iarg],"bed_fraction") == 0) {
-      bed_fraction_ = number(iarg, narg, arg);
-      if (bed_fraction_ >= 1.0) {
-        snprintf(text, sizeof text, "bed_fraction is %s: a solid fraction below 1 is needed", arg[iarg]);
-        error->fix_error(FLERR, this, text);
-      }
-    }
-    else if (strcmp(arg[iarg],"area") == 0) { area_ = number(iarg, narg, arg); area_given_ = true; }
-    else if (strcmp(arg[iarg],"bottom") == 0) {
-      if (iarg+1 >= narg) error->fix_error(FLERR, this, "the height after 'bottom' is missing");
-      bottom_ = force->numeric(FLERR, arg[++iarg]);
-      bottom_given_ = true;
-    }
-    else {
-      snprintf(text, sizeof text, "unknown keyword '%s': file, append, scale, quantile, bed_fraction, "
-               "area and bottom are known", arg[iarg]);
-      error->fix_error(FLERR, this, text);
-    }
+  try {
+    parse(narg, arg, append);
+  } catch (const std::invalid_argument &e) {
+    error->fix_error(FLERR, this, e.what());
   }
-  if (name_.empty()) error->fix_error(FLERR, this, "'file' is missing: the name of the curve's file");
 
   int opened = 1;
   if (comm->me == 0) {
@@ -102,21 +67,33 @@ FixSettlingCurve::~FixSettlingCurve()
   if (file_) fclose(file_);
 }
 
-double FixSettlingCurve::number(int &iarg, int narg, char **arg)
+/* ---------------------------------------------------------------------- */
+
+void FixSettlingCurve::parse(int narg, char **arg, bool &append)
 {
-  const char *key = arg[iarg];
-  char text[256];
-  if (iarg+1 >= narg) {
-    snprintf(text, sizeof text, "the value of '%s' is missing", key);
-    error->fix_error(FLERR, this, text);
+  if (narg < 4) throw std::invalid_argument("the number of steps between two rows is missing");
+  nevery = static_cast<int>(clay::wholeNumber("the number of steps between two rows", arg[3], 1, INT_MAX));
+  for (int iarg = 4; iarg < narg; iarg += 2) {
+    const std::string key = arg[iarg];
+    if (iarg+1 == narg) throw std::invalid_argument("keyword '" + key + "' needs a value");
+    const char *value = arg[iarg+1];
+    if (key == "file" || key == "append") { append = key == "append"; name_ = value; }
+    else if (key == "scale") scale_ = clay::positiveNumber(key, value);
+    else if (key == "quantile") {
+      quantile_ = clay::number(key, value);
+      if (!(quantile_ > 0.1 && quantile_ <= 1.0))
+        throw std::invalid_argument("quantile is '" + std::string(value) + "'; it must be above 0.1 and at most 1");
+    }
+    else if (key == "bed_fraction") bed_fraction_ = clay::fraction(key, value);
+    else if (key == "area") { area_ = clay::positiveNumber(key, value); area_given_ = true; }
+    else if (key == "bottom") { bottom_ = clay::number(key, value); bottom_given_ = true; }
+    else throw std::invalid_argument("unknown keyword '" + key + "'; known are file, append, scale, quantile, "
+                                     "bed_fraction, area and bottom");
   }
-  const double v = force->numeric(FLERR, arg[++iarg]);
-  if (!(v > 0.0)) {
-    snprintf(text, sizeof text, "%s is %s: it must be greater than 0", key, arg[iarg]);
-    error->fix_error(FLERR, this, text);
-  }
-  return v;
+  if (name_.empty()) throw std::invalid_argument("'file' is missing: the name of the curve's file");
 }
+
+/* ---------------------------------------------------------------------- */
 
 int FixSettlingCurve::setmask() { return END_OF_STEP; }
 

@@ -37,7 +37,7 @@ class FixSettlingCurve : public Fix {
   double sphere_volume(int i) const;
 
  private:
-  double number(int &iarg, int narg, char **arg);
+  void parse(int narg, char **arg, bool &append);
   void find_column();
   void measure();
   void write_row();

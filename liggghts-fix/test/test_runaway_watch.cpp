@@ -89,14 +89,14 @@ TEST(RunawayWatch, namesTheParticleAndSinceWhen)
   expect(said(step), "particle 1 moves more than its diameter in a step at step 20");
   expect(said(step), "last check passed at step 0");
   v[0] = nan;
-  expect(said(step), "particle 1 is no number");
+  expect(said(step), "particle 1 is NaN");
   v[0] = 0;
   EXPECT_EQ(said(step), "");
   x[1] = 0.0101;
   expect(said(places), "particle 1 was pushed out of the box");
   expect(said(places), "last check passed at step 20");
   x[1] = nan;
-  expect(said(places), "particle 1 is no number");
+  expect(said(places), "particle 1 is NaN");
   x[1] = 0;
   expect(said([&]() { watch.overlaps(0.41, 7, 9); }), "particles 7 and 9 overlap by 0.41 d");
   x[2] = -0.009 + 0.0001;

@@ -5,8 +5,8 @@
 #include "thermal/fix_brownian.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 
 #include "atom.h"
@@ -16,6 +16,7 @@
 #include "fix_multisphere.h"
 #include "force.h"
 #include "modify.h"
+#include "script/values.h"
 #include "thermal/thermal_kick.h"
 #include "update.h"
 
@@ -27,17 +28,11 @@ using namespace FixConst;
 FixBrownian::FixBrownian(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), temperature_(0.), viscosity_(0.), seed_(-1), fluid_(NULL), bodies_(NULL)
 {
-  parse(narg,arg);
-}
-
-/* ---------------------------------------------------------------------- */
-
-double FixBrownian::positive(const char *key, const char *text)
-{
-  const double value = force->numeric(FLERR,text);
-  if (!(value > 0.))
-    error->all(FLERR,(std::string("Fix brownian: ") + key + " is " + text + ": it must be greater than 0").c_str());
-  return value;
+  try {
+    parse(narg,arg);
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR,(std::string("Fix brownian: ") + e.what()).c_str());
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -46,20 +41,14 @@ void FixBrownian::parse(int narg, char **arg)
 {
   for (int n = 3; n < narg; n += 2) {
     const std::string key = arg[n];
-    if (n+1 == narg) error->all(FLERR,("Fix brownian: keyword '" + key + "' needs a value").c_str());
-    if (key == "temperature") temperature_ = positive("temperature",arg[n+1]);
-    else if (key == "viscosity") viscosity_ = positive("viscosity",arg[n+1]);
-    else if (key == "seed") {
-      char *end = NULL;
-      seed_ = strtol(arg[n+1],&end,10);
-      if (*end || seed_ < 0)
-        error->all(FLERR,(std::string("Fix brownian: seed is '") + arg[n+1] +
-                          "'; a whole number of 0 or more is wanted").c_str());
-    } else
-      error->all(FLERR,("Fix brownian: unknown keyword '" + key + "'; known are temperature, seed, viscosity").c_str());
+    if (n+1 == narg) throw std::invalid_argument("keyword '" + key + "' needs a value");
+    if (key == "temperature") temperature_ = clay::positiveNumber(key,arg[n+1]);
+    else if (key == "viscosity") viscosity_ = clay::positiveNumber(key,arg[n+1]);
+    else if (key == "seed") seed_ = clay::wholeNumber(key,arg[n+1],0);
+    else throw std::invalid_argument("unknown keyword '" + key + "'; known are temperature, seed, viscosity");
   }
-  if (temperature_ == 0.) error->all(FLERR,"Fix brownian: 'temperature' is missing (K)");
-  if (seed_ < 0) error->all(FLERR,"Fix brownian: 'seed' is missing, a whole number");
+  if (temperature_ == 0.) throw std::invalid_argument("'temperature' is missing (K)");
+  if (seed_ < 0) throw std::invalid_argument("'seed' is missing, a whole number");
 }
 
 /* ---------------------------------------------------------------------- */
@@ -73,7 +62,7 @@ void FixBrownian::init()
   if (!atom->rmass_flag || !atom->radius_flag || !atom->tag_enable)
     error->all(FLERR,"Fix brownian: needs spheres with IDs, as atom_style granular has them");
   if (modify->n_fixes_style("brownian") > 1)
-    error->all(FLERR,"Fix brownian: there is one already");
+    error->all(FLERR,"Fix brownian: only one fix brownian is allowed");
   fluid_ = CoupledFluid::find(modify);
   bodies_ = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere",0));
   if (fluid_ && viscosity_ > 0.)

@@ -32,7 +32,6 @@ class FixBrownian : public Fix {
 
  private:
   void parse(int, char **);
-  double positive(const char *, const char *);
   void relax(int i, double mass, bool turns);
 
   double temperature_;            // [K]

@@ -57,6 +57,12 @@ def complaints(words, paths):
     return found
 
 
+def in_project(lines):
+    """Of clang's complaints those of the project's own lines, without what is an error to clang alone."""
+    ours = tuple(os.path.join(TOP, f, "") for f in _FOLDERS)
+    return [line[len(TOP) + 1:] for line in lines if line.startswith(ours) and "[clang-diagnostic-error" not in line]
+
+
 def host_style(text, columns, braces_apart=False):
     """What is against a half's style in a source's text, [(line number, what)]."""
     found = []

@@ -1,8 +1,10 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """What the linters look at, and what is told when one is missing or complains."""
 
+import os
 import sys
 
+from cases.lib.case.casefile import TOP
 from validation.lib.checks import linters
 
 
@@ -30,6 +32,13 @@ def test_complaints_name_a_place():
     assert linters.complaints([sys.executable, "-c", "import sys; sys.exit('no place')"], ["a.cpp"]) == ["no place"]
     assert linters.complaints([sys.executable, "-c", "pass"], []) == ["there are no files to look at"]
     assert linters.told(["a", "b", "c"]) == "a and 2 more" and linters.told([]) == ""
+
+
+def test_clangs_own_errors_are_left_out():
+    mine = os.path.join(TOP, "exchange", "a.cpp")
+    said = [f"{mine}:1:2: error: bad [bugprone-x]", f"{mine}:3:4: error: odd [clang-diagnostic-error]",
+            f"{TOP}/build/openfoam/b.H:1:1: error: bad [bugprone-x]"]
+    assert linters.in_project(said) == ["exchange/a.cpp:1:2: error: bad [bugprone-x]"]
 
 
 def test_host_style():

@@ -60,14 +60,19 @@ void Foam::fluidSolver::prepareCorrectors
         }
     });
 
-    faces_.interpolate(cells(rAU_), "interpolate(rAU)", rDFaces_);
+    faces_.interpolate
+    (
+        cells(left_.size() ? scalarField(left_*rAU_) : rAU_),
+        "interpolate(rAU)",
+        rDFaces_
+    );
     yieldFaces_.setSize(mesh_.nFaces());
     nrDFaces_.setSize(mesh_.nFaces());
     forAll(rDFaces_, f)
     {
         yieldFaces_[f] = 1/(1 + rDFaces_[f]*dragFaces_[f]*nFaces_[f]);
         rDFaces_[f] *= yieldFaces_[f];
-        nrDFaces_[f] = nFaces_[f]*rDFaces_[f];
+        nrDFaces_[f] = shareFaces_[f]*rDFaces_[f] + mobilityFaces_[f];
     }
 }
 
@@ -146,10 +151,10 @@ void Foam::fluidSolver::freeFlux
         }
     });
 
-    // n times it
+    // n times it, and what the particles do with it
     forAll(flux, f)
     {
-        flux[f] *= nFaces_[f];
+        flux[f] = shareFaces_[f]*flux[f] + answerFaces_[f];
     }
     if (p_.needReference())
     {
@@ -285,6 +290,15 @@ void Foam::fluidSolver::correctPressure
             scalarField phi(mesh_.nFaces(), Zero);
             forAll(nPhiFaces_, f)
             {
+                if (left_.size())
+                {
+                    gradPFaces[f] /= nrDFaces_[f];
+                    phi[f] =
+                        (flux[f] - answerFaces_[f])/shareFaces_[f]
+                      - rDFaces_[f]*gradPFaces[f];
+                    nPhiFaces_[f] = nFaces_[f]*phi[f];
+                    continue;
+                }
                 nPhiFaces_[f] = flux[f] - gradPFaces[f];
                 phi[f] = nPhiFaces_[f]/nFaces_[f];
                 gradPFaces[f] /= nrDFaces_[f];

@@ -25,21 +25,79 @@ bool Foam::fluidSolver::carries(const label patchi) const
 void Foam::fluidSolver::prepareFaces(const particleCoupling& coupling)
 {
     faces_.take(nPhi_, nPhiFaces_);
-    faces_.flux(coupling.source(), "interpolate(HbyA)", sourceFaces_);
     faces_.interpolate(coupling.n(), "interpolate(voidfraction)", nFaces_);
 
     const scalarField& Sp = coupling.Sp().primitiveField();
     const scalarField& n = coupling.n().primitiveField();
     scalarField& drag = scratch_.primitiveFieldRef();
+
+    // where the particles take a part of grad p, all is divided by what they
+    // leave of it: then source, drag and grad p balance on the faces
+    const particleResponse& response = coupling.response();
+    left_.clear();
+    if (response.active())
+    {
+        left_ = 1 - response.pressure().primitiveField();
+
+        volVectorField source("sourceByLeft", coupling.source());
+        source.primitiveFieldRef() /= left_;
+        source.correctBoundaryConditions();
+        faces_.flux(source, "interpolate(HbyA)", sourceFaces_);
+
+        const auto inside = [&](const volScalarField& cells, scalarField& faces)
+        {
+            faces_.interpolate(cells, "interpolate(voidfraction)", faces);
+            faces_.patches([&](const label, const fvPatch& patch)
+            {
+                if (!patch.coupled())
+                {
+                    SubField<scalar>(faces, patch.size(), patch.start()) = 0;
+                }
+            });
+        };
+        inside(response.share(), shareFaces_);
+        inside(response.mobility(), mobilityFaces_);
+        forAll(mobilityFaces_, f)
+        {
+            shareFaces_[f] += nFaces_[f];
+        }
+        faces_.flux(response.flux(), "interpolate(U)", answerFaces_);
+        faces_.patches([&](const label, const fvPatch& patch)
+        {
+            if (!patch.coupled())
+            {
+                SubField<scalar>
+                (
+                    answerFaces_,
+                    patch.size(),
+                    patch.start()
+                ) = 0;
+            }
+        });
+    }
+    else
+    {
+        faces_.flux(coupling.source(), "interpolate(HbyA)", sourceFaces_);
+        shareFaces_ = nFaces_;
+        mobilityFaces_ = 0;
+        answerFaces_ = 0;
+    }
     forAll(drag, celli)
     {
-        drag[celli] = Sp[celli]/n[celli];
+        drag[celli] =
+            Sp[celli]/(left_.size() ? left_[celli]*n[celli] : n[celli]);
     }
     forAll(scratch_.boundaryField(), patchi)
     {
         scratch_.boundaryFieldRef()[patchi] ==
             coupling.Sp().boundaryField()[patchi]
            /coupling.n().boundaryField()[patchi];
+        if (response.active())
+        {
+            scratch_.boundaryFieldRef()[patchi] ==
+                scratch_.boundaryField()[patchi]
+               /(1 - response.pressure().boundaryField()[patchi]);
+        }
     }
     faces_.interpolate(scratch_, "interpolate(HbyA)", dragFaces_);
     faces_.patches([&](const label patchi, const fvPatch& patch)
@@ -79,6 +137,10 @@ void Foam::fluidSolver::balanced
     forAll(net, celli)
     {
         net[celli] = F[celli] - (Sp[celli]/n[celli])*through[celli];
+        if (left_.size())
+        {
+            net[celli] /= left_[celli];
+        }
     }
 
     scalarField onFaces(mesh_.nFaces(), Zero), left(mesh_.nFaces(), Zero);
@@ -136,9 +198,13 @@ void Foam::fluidSolver::balanced
     forAll(net, celli)
     {
         residual[celli] += mag(net[celli])*share;
+        gradP[celli] = net[celli] - residual[celli];
+        if (left_.size())
+        {
+            residual[celli] *= left_[celli];
+        }
         force_[celli] =
             residual[celli] + (Sp[celli]/n[celli])*through[celli];
-        gradP[celli] = net[celli] - residual[celli];
     }
 }
 

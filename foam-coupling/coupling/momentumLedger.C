@@ -266,6 +266,56 @@ void Foam::momentumLedger::prepare(const scalar dt)
 }
 
 
+void Foam::momentumLedger::prepare
+(
+    const scalar dt,
+    const particleResponse& response,
+    const vectorField& gradP
+)
+{
+    scalarField& Sp = Sp_.primitiveFieldRef();
+    vectorField& F = F_.primitiveFieldRef();
+    const vectorField& owed = owed_.primitiveField();
+    const scalar now = min(dt, interval_), part = now/dt;
+
+    forAll(Sp, celli)
+    {
+        Sp[celli] = part*response.drag()[celli]/rho_;
+        F[celli] =
+            part
+           *(
+                (response.source()[celli] + reaction_[celli])/rho_
+              - response.reaction()[celli]*gradP[celli]
+            )
+          + response.pay()[celli]*owed[celli]/(max(dt, interval_)*rho_);
+    }
+
+    Sp_.correctBoundaryConditions();
+    F_.correctBoundaryConditions();
+}
+
+
+void Foam::momentumLedger::record
+(
+    const volVectorField& U,
+    const scalar dt,
+    const particleResponse& response,
+    const vectorField& gradP
+)
+{
+    const scalarField& Sp = Sp_.primitiveField();
+    const vectorField& F = F_.primitiveField();
+    const scalarField& off = response.pressure().primitiveField();
+
+    forAll(given_, celli)
+    {
+        given_[celli] +=
+            (F[celli] - Sp[celli]*U[celli] + off[celli]*gradP[celli])
+           *(rho_*dt);
+    }
+}
+
+
 void Foam::momentumLedger::record(const volVectorField& U, const scalar dt)
 {
     const scalarField& Sp = Sp_.primitiveField();

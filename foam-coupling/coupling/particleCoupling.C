@@ -120,7 +120,8 @@ clay::CfdTerms Foam::particleCoupling::terms() const
     t.needs =
     {
         Field::position, Field::radius, Field::volume, Field::velocity,
-        Field::tag, Field::impulse, Field::mass
+        Field::tag, Field::impulse, Field::mass, Field::meanVelocity,
+        Field::otherForce, Field::touched
     };
     t.accepts = {Field::dragDiameter, Field::dragFactor};
     t.offers =
@@ -230,6 +231,7 @@ Foam::particleCoupling::particleCoupling
         }
     ),
     ledger_(mesh_, rho_),
+    response_(mesh_, rho_),
     history_(U_),
     gradP_
     (
@@ -256,6 +258,7 @@ Foam::particleCoupling::particleCoupling
     gravity_(Zero),
     solidVolume_(0),
     time_(mesh_.time().value()),
+    lastInterval_(0),
     interval_(0),
     marched_(0),
     pending_(false),
@@ -308,7 +311,14 @@ void Foam::particleCoupling::advance()
 
     marched_ += dt;
     history_.advance(marched_/interval_ > 1 - 1e-9 ? 1 : marched_/interval_);
-    ledger_.prepare(dt);
+    if (response_.active())
+    {
+        ledger_.prepare(dt, response_, startGradP_);
+    }
+    else
+    {
+        ledger_.prepare(dt);
+    }
 
     // model B, and particles that carry their share: the whole stress
     if (properties_.modelA() && !properties_.has("viscous"))
@@ -320,7 +330,15 @@ void Foam::particleCoupling::advance()
 
 void Foam::particleCoupling::record()
 {
-    ledger_.record(U_, mesh_.time().deltaTValue());
+    const scalar dt = mesh_.time().deltaTValue();
+    if (response_.active())
+    {
+        ledger_.record(U_, dt, response_, gradP_.primitiveField());
+    }
+    else
+    {
+        ledger_.record(U_, dt);
+    }
     ++stats_.steps;
 }
 

@@ -40,6 +40,11 @@ void Foam::particleCoupling::take()
             std::copy(received_[f], received_[f] + p.size(), to.begin());
         }
     };
+    p.meanVelocity.setSize(p.size());
+    vectors(Field::meanVelocity, p.meanVelocity);
+    p.otherForce.setSize(p.size());
+    vectors(Field::otherForce, p.otherForce);
+    p.touched.setSize(p.size());
     scalars(Field::dragDiameter, p.dragDiameter);
     scalars(Field::dragFactor, p.dragFactor);
 
@@ -50,6 +55,7 @@ void Foam::particleCoupling::take()
         p.mass[i] = received_[Field::mass][i];
         p.tag[i] = label(received_[Field::tag][i]);
         p.body[i] = -1;
+        p.touched[i] = received_[Field::touched][i] != 0;
 
         const vector sum(p.position[i] + p.velocity[i] + p.impulse[i]);
         if
@@ -184,7 +190,8 @@ void Foam::particleCoupling::exchangeMomentum()
         ledger_.residual(vector(impulse[0], impulse[1], impulse[2]))
     );
 
-    const bool weighted = forces_.addedDensity() > 0;
+    // with the answer foreseen no lag of the pressure is left to be damped
+    const bool weighted = forces_.addedDensity() > 0 && !response_.active();
     forces_.evaluate
     (
         p,
@@ -241,6 +248,68 @@ void Foam::particleCoupling::exchangeMomentum()
         forces_.K,
         forces_.reacting,
         forces_.addedMass,
+        smoothing_()
+    );
+}
+
+
+void Foam::particleCoupling::shareOwned(vectorField& values) const
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+    std::vector<double> shared(3*values.size(), 0.0);
+    forAll(values, i)
+    {
+        if (particles_.owned[i])
+        {
+            std::copy(values[i].begin(), values[i].end(), &shared[3*i]);
+        }
+    }
+    sumShared_(shared, 3);
+    forAll(values, i)
+    {
+        values[i] =
+            vector(shared[3*i], shared[3*i + 1], shared[3*i + 2]);
+    }
+}
+
+
+void Foam::particleCoupling::foreseeAnswer()
+{
+    const dispersedParticles& p = particles_;
+
+    startGradP_ = gradP_.primitiveField();
+    pressureForce_ = forces_.pressureForce(p, gradP_, rho_);
+    shareOwned(pressureForce_);
+
+    const vectorField& own = forces_.own();
+    List<particleResponse::particle> all(p.size());
+    forAll(all, i)
+    {
+        particleResponse::particle& q = all[i];
+        q.K = forces_.K[i];
+        q.mass =
+            p.mass[i]
+          + (forces_.addedMass.size() ? forces_.addedMass[i] : 0);
+        q.velocity = p.velocity[i];
+        q.own = own.size() ? own[i] : vector::zero;
+        q.load =
+            forces_.hydrostatic[i] + forces_.reacting[i] - pressureForce_[i];
+        q.mean = p.meanVelocity[i];
+        q.impulse = p.impulse[i];
+        q.other = p.otherForce[i];
+        q.touched = p.touched[i];
+    }
+
+    response_.foresee
+    (
+        p,
+        all,
+        interval_,
+        lastInterval_,
+        properties_.has("pressureGradient"),
         smoothing_()
     );
 }
@@ -329,6 +398,7 @@ bool Foam::particleCoupling::next()
         ++stats_.exchanges;
         pending_ = true;
 
+        lastInterval_ = stats_.exchanges > 1 ? elapsed() : 0;
         time_ = session_->time();
         const scalar remaining =
             std::round((dem.endTime - time_)/dem.step)*dem.step;
@@ -358,21 +428,27 @@ bool Foam::particleCoupling::next()
         ledger_.begin(interval_);
         judgeInterval(interval_);
 
-        late_ = true;
-        if (properties_.overlap())
+        const bool stiff =
+            ledger_.stiffness(history_.mapped(), interval_) > stiffLimit_;
+        late_ = stiff || !properties_.overlap();
+        if (stiff)
         {
-            if (ledger_.stiffness(history_.mapped(), interval_) <= stiffLimit_)
-            {
-                late_ = false;
-                answer();
-            }
-            else if (stats_.stiffExchanges++ == 0)
+            foreseeAnswer();
+            if (properties_.overlap() && stats_.stiffExchanges++ == 0)
             {
                 Info<< "clayFoam: warning: at time " << time_ << " s drag is stiff for"
                     << " the coupling interval of " << interval_
                     << " s: the fluid is solved first in such intervals"
                     << endl;
             }
+        }
+        else
+        {
+            response_.leave();
+        }
+        if (!late_)
+        {
+            answer();
         }
         return true;
     }
@@ -386,6 +462,12 @@ void Foam::particleCoupling::solved()
     if (pending_)
     {
         forces_.velocity(particles_, U_);
+        if (response_.active())
+        {
+            vectorField now(forces_.pressureForce(particles_, gradP_, rho_));
+            shareOwned(now);
+            forces_.reacting += now - pressureForce_;
+        }
         answer();
     }
     if (properties_.verbose())

@@ -240,6 +240,21 @@ void Foam::particleForces::velocity
 }
 
 
+Foam::tmp<Foam::vectorField> Foam::particleForces::pressureForce
+(
+    const dispersedParticles& p,
+    const volVectorField& gradP,
+    const scalar rho
+) const
+{
+    if (!properties_.has("pressureGradient"))
+    {
+        return tmp<vectorField>::New(p.size(), Zero);
+    }
+    return -rho*p.volume*sample(gradP, p);
+}
+
+
 void Foam::particleForces::evaluate
 (
     const dispersedParticles& p,

@@ -170,6 +170,22 @@ void FixMultisphereClump::add_impulse(int ibody, const double *impulse)
 
 /* ---------------------------------------------------------------------- */
 
+bool FixMultisphereClump::take_motion(int ibody, double *displacement, double *change)
+{
+  Fluid &fluid = stored(ibody);
+  const bool known = fluid.seen > 0.0;
+  for (int k = 0; k < 3; k++) {
+    displacement[k] = known ? xcm_(ibody)[k] - fluid.place[k] : 0.0;
+    change[k] = known ? vcm_(ibody)[k] - fluid.speed[k] : 0.0;
+    fluid.place[k] = xcm_(ibody)[k];
+    fluid.speed[k] = vcm_(ibody)[k];
+  }
+  fluid.seen = 1.0;
+  return known;
+}
+
+/* ---------------------------------------------------------------------- */
+
 void FixMultisphereClump::take_impulse(int ibody, double *impulse)
 {
   Fluid &fluid = stored(ibody);

@@ -63,6 +63,10 @@ class FixMultisphereClump : public FixMultisphere {
   /// Adds to it what the fluid gave while the bodies kept still [N s].
   void add_impulse(int ibody, const double *impulse);
 
+  /// Displacement [m] of a body's centre of mass and change of its velocity [m/s]
+  /// since the last call; false, with zeros, when there was none for this body.
+  bool take_motion(int ibody, double *displacement, double *change);
+
   /// Switches the fluid on; without it this is plain multisphere.
   void couple();
 
@@ -82,6 +86,8 @@ class FixMultisphereClump : public FixMultisphere {
     };
     double force[3];    // of the last step [N]
     double impulse[3];  // since the last exchange [N s]
+    double place[3], speed[3];  // of the centre of mass at the last exchange [m, m/s]
+    double seen;        // above 0 when it was there
     double owner;       // whose it is
   };
   enum { SIZE = sizeof(Fluid)/sizeof(double) };

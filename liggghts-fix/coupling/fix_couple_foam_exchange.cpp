@@ -16,6 +16,7 @@
 #include "comm.h"
 #include "coupling/coupled_clumps.h"
 #include "coupling/coupling_report.h"
+#include "coupling/motion_record.h"
 #include "coupling/runaway_watch.h"
 #include "domain.h"
 #include "error.h"
@@ -78,11 +79,13 @@ void FixCoupleFoam::send(bool last)
   const std::array<double,3> given = clay::pack_free(free_,spheres(),fluid_,still_,sent_);
   for (int k = 0; k < 3; k++) given_[k] += given[k];
   if (bodies_) pack_clumps(free_.size());
+  tell_motions();
   if (sent_.fields().has(Field::position) && (domain->xperiodic || domain->yperiodic || domain->zperiodic))
     for (int n = 0; n < sent_.size(); n++) domain->remap(sent_[Field::position] + 3*n);
   check_finite();
 
   last_time_ = update->get_cur_time();
+  first_ = false;
   session_->send(sent_,last_time_,last,{{given_[0],given_[1],given_[2]}});
   pending_ = true;
   waited_ = 0;
@@ -118,6 +121,28 @@ void FixCoupleFoam::pack_clumps(int first)
     sent_[Field::dragDiameter][slot] = clumps_->diameter(s.body);
     sent_[Field::dragFactor][slot++] = clumps_->factor(s.body);
   }
+}
+
+/* ----------------------------------------------------------------------
+   what all of them did since the last exchange
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::tell_motions()
+{
+  clay::Interval interval;
+  interval.time = update->get_cur_time() - last_time_;
+  interval.first = first_;
+  FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
+  if (gravity) gravity->get_gravity(interval.gravity.data());
+  if (domain->xperiodic || domain->yperiodic || domain->zperiodic)
+    interval.nearest = [this](double *d) { domain->minimum_image(d); };
+
+  clay::tell_motion(free_,spheres(),fluid_,interval,sent_);
+  if (!bodies_) return;
+  std::vector<clay::BodyMotion> motions(bodies_->n_body());
+  for (size_t b = 0; b < motions.size(); b++)
+    motions[b].known = bodies_->take_motion(b,motions[b].displacement.data(),motions[b].change.data());
+  clay::tell_body_motion(spheres_,motions,interval,free_.size(),sent_);
 }
 
 /* ---------------------------------------------------------------------- */

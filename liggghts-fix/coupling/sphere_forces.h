@@ -18,7 +18,10 @@ struct FluidRow {
     IMPULSE = 10,   ///< received since the last exchange [N s]
     SLOT = 13,      ///< place in the message, -1 for none
     RELAX = 14,     ///< mean of the slip over a step, of that at its start
-    SIZE = 15
+    PLACE = 15,     ///< at the last exchange [m]
+    SPEED = 18,     ///< velocity then [m/s]
+    SEEN = 21,      ///< above 0 when it was there
+    SIZE = 22
   };
 };
 

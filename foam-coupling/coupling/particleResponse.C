@@ -1,0 +1,203 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "particleResponse.H"
+
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::particleResponse::answer Foam::particleResponse::foresee
+(
+    const particle& q,
+    const scalar T,
+    const scalar Tlast,
+    const scalar part
+)
+{
+    // 1 - a, and (1 - a)/K, both finite for K -> 0
+    const scalar x = q.K*T/q.mass;
+    const scalar a =
+        x > 1e-4 ? -std::expm1(-x)/x : 1 - 0.5*x*(1 - x/3);
+    const scalar h = x > 1e-4 ? 1 - a : 0.5*x*(1 - x/3);
+    const scalar hByK =
+        T/q.mass*(x > 1e-4 ? h/x : 0.5*(1 - x/3));
+
+    if (!q.touched)
+    {
+        return
+        {
+            a*q.velocity + hByK*(q.other + q.load) - h*q.own,
+            h,
+            hByK
+        };
+    }
+
+    const vector received(Tlast > 0 ? q.impulse/Tlast : -q.other);
+    const vector before(h*q.mean + hByK*received);
+    const scalar c = 1/(1 + x);
+
+    return
+    {
+        c*(a*q.velocity + before + hByK*q.other) + (1 - c)*q.mean
+      + part*(hByK*q.load - h*q.own - before),
+        part*h,
+        part*hByK
+    };
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+void Foam::particleResponse::finish
+(
+    const smoothingModel& smoothing,
+    GeometricField<Type, fvPatchField, volMesh>& sums
+) const
+{
+    Field<Type>& cells = sums.primitiveFieldRef();
+    cells /= mesh_.V();
+
+    if (smoothing.active())
+    {
+        scalarField component(cells.size());
+        for (direction d = 0; d < pTraits<Type>::nComponents; ++d)
+        {
+            component = cells.component(d);
+            smoothing.smooth(component);
+            cells.replace(d, component);
+        }
+    }
+    sums.correctBoundaryConditions();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+namespace
+{
+
+template<class Type>
+Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh> cellSums
+(
+    const Foam::fvMesh& mesh,
+    const Foam::word& name,
+    const Foam::dimensionSet& dims
+)
+{
+    return Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>
+    (
+        Foam::IOobject(name, mesh.time().timeName(), mesh),
+        mesh,
+        Foam::dimensioned<Type>(dims, Foam::Zero),
+        Foam::zeroGradientFvPatchField<Type>::typeName
+    );
+}
+
+} // End anonymous namespace
+
+
+Foam::particleResponse::particleResponse
+(
+    const fvMesh& mesh,
+    const scalar rho
+)
+:
+    mesh_(mesh),
+    rho_(rho),
+    active_(false),
+    drag_(cellSums<scalar>(mesh, "responseDrag", dimDensity/dimTime)),
+    source_(cellSums<vector>(mesh, "responseSource", dimForce/dimVolume)),
+    pressure_(cellSums<scalar>(mesh, "responsePressure", dimless)),
+    reaction_(cellSums<scalar>(mesh, "responseReaction", dimless)),
+    share_(cellSums<scalar>(mesh, "responseShare", dimless)),
+    mobility_(cellSums<scalar>(mesh, "responseMobility", dimTime)),
+    flux_(cellSums<vector>(mesh, "responseFlux", dimVelocity)),
+    pay_(mesh.nCells(), 1)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::particleResponse::leave()
+{
+    active_ = false;
+}
+
+
+void Foam::particleResponse::foresee
+(
+    const dispersedParticles& p,
+    const UList<particle>& particles,
+    const scalar T,
+    const scalar Tlast,
+    const bool pressure,
+    const smoothingModel& smoothing
+)
+{
+    active_ = true;
+
+    scalarField& drag = drag_.primitiveFieldRef();
+    vectorField& source = source_.primitiveFieldRef();
+    scalarField& off = pressure_.primitiveFieldRef();
+    scalarField& reaction = reaction_.primitiveFieldRef();
+    scalarField& share = share_.primitiveFieldRef();
+    scalarField& mobility = mobility_.primitiveFieldRef();
+    vectorField& flux = flux_.primitiveFieldRef();
+    drag = Zero;
+    source = Zero;
+    off = Zero;
+    reaction = Zero;
+    share = Zero;
+    mobility = Zero;
+    flux = Zero;
+    scalarField touched(drag.size(), Zero), all(drag.size(), Zero);
+
+    forAll(particles, i)
+    {
+        const particle& q = particles[i];
+        const answer m = foresee(q, T, Tlast, inMomentum);
+        const answer c = foresee(q, T, Tlast, inContinuity);
+        const scalar V = p.volume[i];
+
+        const scalar Ki = q.K*(1 - m.s);
+        const vector Fi(q.K*(m.b + q.own));
+        const vector Qi(V*(c.b - q.mean));
+        for (label e = p.offset[i]; e < p.offset[i + 1]; ++e)
+        {
+            const label celli = p.cellIndex[e];
+            const scalar w = p.weight[e];
+            drag[celli] += w*Ki;
+            source[celli] += w*Fi;
+            share[celli] += w*V*c.s;
+            flux[celli] += w*Qi;
+            if (pressure)
+            {
+                off[celli] += w*V*(w - m.s);
+                reaction[celli] += w*w*V;
+                mobility[celli] += w*V*V*rho_*c.sByK;
+            }
+            all[celli] += w*q.K;
+            if (q.touched)
+            {
+                touched[celli] += w*q.K;
+            }
+        }
+    }
+
+    finish(smoothing, drag_);
+    finish(smoothing, source_);
+    finish(smoothing, pressure_);
+    finish(smoothing, reaction_);
+    finish(smoothing, share_);
+    finish(smoothing, mobility_);
+    finish(smoothing, flux_);
+
+    forAll(pay_, celli)
+    {
+        pay_[celli] =
+            all[celli] > VSMALL
+          ? 1 - (1 - paid)*touched[celli]/all[celli]
+          : 1;
+    }
+}

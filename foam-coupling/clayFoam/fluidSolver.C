@@ -196,6 +196,7 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
     shareFaces_(mesh.nFaces(), 1),
     mobilityFaces_(mesh.nFaces(), Zero),
     answerFaces_(mesh.nFaces(), Zero),
+    slope_(mesh.nFaces(), Zero),
     yieldFaces_(mesh.nFaces(), 1),
     rDFaces_(mesh.nFaces(), 1),
     nrDFaces_(mesh.nFaces(), 1),
@@ -242,6 +243,8 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
             "interpolate(voidfraction)"
         );
         fresh_ = false;
+        faces_.take(fvc::snGrad(p_)(), slope_);
+        slope_ *= faces_.magSf();
 
         const bool plain =
             turbulence_->type() == "Stokes"
@@ -255,6 +258,12 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
     (
         quiet_->active() ? U_.primitiveField() : vectorField()
     );
+
+    if (coupling.response().active())
+    {
+        startSlope_ = slope_;
+        faces_.take(phi_, startPhi_);
+    }
 
     // a flow that grows within the interval gets shorter steps at once
     scalar left = interval, time = 0;

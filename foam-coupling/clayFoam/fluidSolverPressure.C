@@ -303,6 +303,7 @@ void Foam::fluidSolver::correctPressure
                 phi[f] = nPhiFaces_[f]/nFaces_[f];
                 gradPFaces[f] /= nrDFaces_[f];
             }
+            slope_ = gradPFaces;
             faces_.put(nPhiFaces_, nPhi_);
             faces_.put(phi, phi_);
         }

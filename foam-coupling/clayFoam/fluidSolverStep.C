@@ -57,11 +57,13 @@ void Foam::fluidSolver::prepareFaces(const particleCoupling& coupling)
         };
         inside(response.share(), shareFaces_);
         inside(response.mobility(), mobilityFaces_);
+        faces_.flux(response.flux(), "interpolate(U)", answerFaces_);
         forAll(mobilityFaces_, f)
         {
+            answerFaces_[f] +=
+                mobilityFaces_[f]*startSlope_[f] - shareFaces_[f]*startPhi_[f];
             shareFaces_[f] += nFaces_[f];
         }
-        faces_.flux(response.flux(), "interpolate(U)", answerFaces_);
         faces_.patches([&](const label, const fvPatch& patch)
         {
             if (!patch.coupled())

@@ -232,6 +232,30 @@ Foam::scalar Foam::momentumLedger::stiffness
 }
 
 
+Foam::scalar Foam::momentumLedger::pressureStiffness
+(
+    const volScalarField& n,
+    const scalar T
+) const
+{
+    scalar largest = 0;
+    forAll(mass_, celli)
+    {
+        if (mass_[celli] > VSMALL)
+        {
+            const scalar f = 1 - n[celli];
+            largest = max
+            (
+                largest,
+                rho_*f*f/(n[celli]*(mass_[celli] + K_[celli]*T))
+            );
+        }
+    }
+    largest = returnReduce(largest, maxOp<scalar>());
+    return returnReduce(added_.size(), maxOp<label>()) ? min(largest, 1) : largest;
+}
+
+
 void Foam::momentumLedger::begin(const scalar interval)
 {
     interval_ = interval;

@@ -285,6 +285,8 @@ void Foam::particleCoupling::foreseeAnswer()
     shareOwned(pressureForce_);
 
     const vectorField& own = forces_.own();
+    vectorField u(forces_.u);
+    shareOwned(u);
     List<particleResponse::particle> all(p.size());
     forAll(all, i)
     {
@@ -295,6 +297,8 @@ void Foam::particleCoupling::foreseeAnswer()
           + (forces_.addedMass.size() ? forces_.addedMass[i] : 0);
         q.velocity = p.velocity[i];
         q.own = own.size() ? own[i] : vector::zero;
+        q.fluid = u[i] + q.own;
+        q.push = pressureForce_[i];
         q.load =
             forces_.hydrostatic[i] + forces_.reacting[i] - pressureForce_[i];
         q.mean = p.meanVelocity[i];
@@ -428,8 +432,13 @@ bool Foam::particleCoupling::next()
         ledger_.begin(interval_);
         judgeInterval(interval_);
 
+        const volScalarField& n = history_.mapped();
         const bool stiff =
-            ledger_.stiffness(history_.mapped(), interval_) > stiffLimit_;
+            ledger_.stiffness(n, interval_) > stiffLimit_
+         || (
+                properties_.has("pressureGradient")
+             && ledger_.pressureStiffness(n, interval_) > 1
+            );
         late_ = stiff || !properties_.overlap();
         if (stiff)
         {

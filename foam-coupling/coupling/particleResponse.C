@@ -162,7 +162,7 @@ void Foam::particleResponse::foresee
 
         const scalar Ki = q.K*(1 - m.s);
         const vector Fi(q.K*(m.b + q.own));
-        const vector Qi(V*(c.b - q.mean));
+        const vector Qi(V*(c.b + c.s*q.fluid + c.sByK*q.push - q.mean));
         for (label e = p.offset[i]; e < p.offset[i + 1]; ++e)
         {
             const label celli = p.cellIndex[e];

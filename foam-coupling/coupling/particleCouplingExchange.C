@@ -314,6 +314,7 @@ void Foam::particleCoupling::foreseeAnswer()
         interval_,
         lastInterval_,
         properties_.has("pressureGradient"),
+        ddtType_,
         smoothing_()
     );
 }

@@ -132,6 +132,7 @@ void Foam::particleResponse::foresee
     const scalar T,
     const scalar Tlast,
     const bool pressure,
+    const couplingProperties::ddtType ddt,
     const smoothingModel& smoothing
 )
 {
@@ -153,6 +154,9 @@ void Foam::particleResponse::foresee
     flux = Zero;
     scalarField touched(drag.size(), Zero), all(drag.size(), Zero);
 
+    const bool particleFlux = ddt == couplingProperties::ddtType::particleFlux;
+    const bool displaced = ddt != couplingProperties::ddtType::none;
+
     forAll(particles, i)
     {
         const particle& q = particles[i];
@@ -162,19 +166,27 @@ void Foam::particleResponse::foresee
 
         const scalar Ki = q.K*(1 - m.s);
         const vector Fi(q.K*(m.b + q.own));
-        const vector Qi(V*(c.b + c.s*q.fluid + c.sByK*q.push - q.mean));
+        // the solids' flux that the equation of continuity has already
+        const vector& had = particleFlux ? q.velocity : q.mean;
+        const vector Qi(V*(c.b + c.s*q.fluid + c.sByK*q.push - had));
         for (label e = p.offset[i]; e < p.offset[i + 1]; ++e)
         {
             const label celli = p.cellIndex[e];
             const scalar w = p.weight[e];
             drag[celli] += w*Ki;
             source[celli] += w*Fi;
-            share[celli] += w*V*c.s;
-            flux[celli] += w*Qi;
+            if (displaced)
+            {
+                share[celli] += w*V*c.s;
+                flux[celli] += w*Qi;
+            }
             if (pressure)
             {
                 off[celli] += w*V*(w - m.s);
                 reaction[celli] += w*w*V;
+            }
+            if (displaced && pressure)
+            {
                 mobility[celli] += w*V*V*rho_*c.sByK;
             }
             all[celli] += w*q.K;

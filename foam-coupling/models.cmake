@@ -59,7 +59,7 @@ macro(clayfoam_model_tests)
   target_include_directories(clayTestMesh PUBLIC ${CLAYFOAM_MODEL_DIR}/tests)
   target_compile_definitions(clayTestMesh PUBLIC
     CLAYFOAM_TEST_DATA="${CLAYFOAM_MODEL_DIR}/tests/data")
-  target_link_libraries(clayTestMesh PUBLIC clayCoupling GTest::gtest)
+  target_link_libraries(clayTestMesh PUBLIC clayCoupling GTest::gtest Eigen3::Eigen)
 
   foreach(test
       dragModels/dragModelTest
@@ -70,7 +70,8 @@ macro(clayfoam_model_tests)
       dispersedParticles/dispersedParticlesTest
       smoothingModels/smoothingModelTest
       selfDisturbanceModels/selfDisturbanceTest
-      coupling/leftOutTest)
+      coupling/leftOutTest
+      coupling/particleResponseTest)
     get_filename_component(name ${test} NAME)
     add_executable(${name} ${CLAYFOAM_MODEL_DIR}/${test}.C ${environment})
     target_link_libraries(${name} PRIVATE clayTestMesh)

@@ -58,6 +58,8 @@ class Settings {
 
 struct Sphere {
   Vec x, v, impulse{};
+  Vec moved{}, other{};  // since the last exchange: displacement, impulse of all but the fluid
+  bool held = true;      // by more than gravity and fluid then
   double tag;
 };
 
@@ -109,6 +111,8 @@ class Suspension {
         }
         p.v[c] += dv;
         p.x[c] += p.v[c] * dt;
+        p.moved[c] += p.v[c] * dt;
+        p.other[c] += mass_ * dv - impulse;
         if (wrap_[c] > 0) {
           const double length = hi_[c] - lo_[c];
           p.x[c] -= length * std::floor((p.x[c] - lo_[c]) / length);
@@ -119,8 +123,11 @@ class Suspension {
       if (wrap_[2] == 0 && p.x[2] < lo_[2] + radius_) {  // the floor stops it
         p.x[2] = lo_[2] + radius_;
         p.v[2] = 0;
+        p.held = true;
       }
+      p.held = p.held || frozen_;
     }
+    time_ += dt;
   }
 
   void pack(clay::Particles& to) {
@@ -131,13 +138,18 @@ class Suspension {
         to[Field::position][3 * i + c] = p.x[c];
         to[Field::velocity][3 * i + c] = p.v[c];
         to[Field::impulse][3 * i + c] = p.impulse[c];
+        to[Field::meanVelocity][3 * i + c] = time_ > 0 ? p.moved[c] / time_ : p.v[c];
+        to[Field::otherForce][3 * i + c] = time_ > 0 ? p.other[c] / time_ : mass_ * gravity_[c];
       }
+      to[Field::touched][i] = p.held;
       to[Field::radius][i] = radius_;
       to[Field::volume][i] = volume_;
       to[Field::mass][i] = mass_;
       to[Field::tag][i] = p.tag;
-      p.impulse = {};
+      p.impulse = p.moved = p.other = {};
+      p.held = false;
     }
+    time_ = 0;
   }
 
   clay::DemTerms terms(const Settings& s) const {
@@ -154,7 +166,8 @@ class Suspension {
     t.particles = total_;
     t.maxRadius = radius_;
     t.offers = {Field::position, Field::radius, Field::volume, Field::velocity,
-                Field::tag, Field::impulse, Field::mass};
+                Field::tag, Field::impulse, Field::mass,
+                Field::meanVelocity, Field::otherForce, Field::touched};
     t.needs = {Field::dragCoefficient, Field::fluidVelocity, Field::force};
     return t;
   }
@@ -198,6 +211,7 @@ class Suspension {
 
  private:
   double radius_, volume_, mass_;
+  double time_ = 0;  // since the last exchange
   Vec gravity_, lo_, hi_, wrap_;
   bool frozen_;
   long total_ = 0;

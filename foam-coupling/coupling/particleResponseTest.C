@@ -1,0 +1,303 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+// The answer that is foreseen of a particle, and whether the exchange is stable
+// with it, whatever the particle does in truth: one cell of unit volume, unit
+// interval and unit fluid density.
+
+#include "particleResponse.H"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+
+using namespace Foam;
+
+namespace
+{
+
+particleResponse::particle particleOf(const scalar K, const scalar m)
+{
+    particleResponse::particle q;
+    q.K = K;
+    q.mass = m;
+    q.velocity = vector(0.3, 0, -1);
+    q.own = Zero;
+    q.load = vector(0, 0, 0.4);
+    q.mean = vector(0.1, 0, -0.7);
+    q.impulse = vector(0.02, 0, 0.5);
+    q.other = vector(0, 0, -2);
+    q.fluid = Zero;
+    q.push = Zero;
+    q.touched = false;
+    return q;
+}
+
+
+//- Mean velocity over T of m dv/dt = K (U - v) + F, by many small steps
+vector marched
+(
+    const particleResponse::particle& q,
+    const vector& U,
+    const vector& F,
+    const scalar T
+)
+{
+    const label n = 200000;
+    vector v(q.velocity), sum(Zero);
+    for (label i = 0; i < n; ++i)
+    {
+        const vector middle(v + 0.5*T/n*(q.K*(U - v) + F)/q.mass);
+        v += T/n*(q.K*(U - middle) + F)/q.mass;
+        sum += middle;
+    }
+    return sum/n;
+}
+
+
+//- What a particle does in truth
+enum class truth {free, plug, held};
+
+//- Where the fluid's velocity is free, or tied to the particles
+enum class velocityIs {across, along};
+
+struct oneCell
+{
+    scalar x;       // K T/m
+    scalar phi;     // solid fraction
+    scalar ratio;   // of densities
+};
+
+
+//- State: U, v0, mean velocity, impulse, other force, grad p, debt
+constexpr int size = 7;
+
+Eigen::Matrix<double, size, 1> interval
+(
+    const Eigen::Matrix<double, size, 1>& s,
+    const oneCell& c,
+    const truth what,
+    const velocityIs where,
+    const bool touched,
+    const scalar inMomentum,
+    const scalar pay
+)
+{
+    const scalar n = 1 - c.phi, m = c.ratio*c.phi, K = c.x*m, V = c.phi;
+
+    particleResponse::particle q(particleOf(K, m));
+    q.load = Zero;
+    q.velocity = vector(s[1], 0, 0);
+    q.mean = vector(s[2], 0, 0);
+    q.impulse = vector(s[3], 0, 0);
+    q.other = vector(s[4], 0, 0);
+    q.touched = touched;
+    const auto a = particleResponse::foresee(q, 1, 1, inMomentum);
+    const auto b =
+        particleResponse::foresee(q, 1, 1, particleResponse::inContinuity);
+
+    // n (U - U0) = -(1 - V) P + K (va - U) + debt, and n U + V vb = 0 or P = 0
+    Eigen::Matrix2d A;
+    Eigen::Vector2d r;
+    A << n + K*(1 - a.s), 1 - V + a.s*V, 0, 1;
+    r << n*s[0] + K*a.b.x() + pay*s[6], 0;
+    if (where == velocityIs::along)
+    {
+        A(1, 0) = n + V*b.s;
+        A(1, 1) = -V*V*b.sByK;
+        r[1] = -V*b.b.x();
+    }
+    const Eigen::Vector2d solved(A.partialPivLu().solve(r));
+    const scalar U = solved[0], P = solved[1];
+    const scalar foreseen = a.b.x() + a.s*U - a.sByK*V*P;
+
+    // the truth: with its own mass, with five times that, or not at all
+    scalar mean = 0, end = 0;
+    if (what != truth::held)
+    {
+        const scalar x = what == truth::plug ? c.x/5 : c.x;
+        const scalar part = -std::expm1(-x)/x;
+        const scalar pull = U - V*P/K;
+        mean = part*s[1] + (1 - part)*pull;
+        end = pull + (s[1] - pull)*std::exp(-x);
+    }
+
+    const scalar received = K*(U - mean) - V*P;
+    const scalar given = V*P + K*(foreseen - U) + pay*s[6];
+
+    Eigen::Matrix<double, size, 1> next;
+    next << U, end, mean, received, m*(end - s[1]) - received, P,
+        s[6] - received - given;
+    return next;
+}
+
+
+//- Largest size of an eigenvalue of the map from one interval to the next
+scalar growth
+(
+    const oneCell& c,
+    const truth what,
+    const velocityIs where,
+    const bool touched,
+    const scalar inMomentum = particleResponse::inMomentum,
+    const scalar pay = particleResponse::paid
+)
+{
+    Eigen::Matrix<double, size, size> map;
+    for (int i = 0; i < size; ++i)
+    {
+        map.col(i) = interval
+        (
+            Eigen::Matrix<double, size, 1>::Unit(i),
+            c, what, where, touched, inMomentum, touched ? pay : 1
+        );
+    }
+    return map.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+
+//- The largest of all cells
+template<class Function>
+scalar worst(const Function& of)
+{
+    scalar largest = 0;
+    for (scalar decade = -3; decade < 5.1; decade += 0.5)
+    {
+        for (const scalar phi : {0.02, 0.1, 0.3, 0.5, 0.6, 0.68})
+        {
+            for (const scalar ratio : {0.05, 1.0, 2.65, 10.0})
+            {
+                for (const velocityIs where : {velocityIs::across, velocityIs::along})
+                {
+                    largest = std::max
+                    (
+                        largest,
+                        of(oneCell{std::pow(10, decade), phi, ratio}, where)
+                    );
+                }
+            }
+        }
+    }
+    return largest;
+}
+
+} // End anonymous namespace
+
+
+TEST(ParticleResponse, aFreeOneIsForeseenExactly)
+{
+    const vector U(0.2, -0.1, 0.5);
+    for (const scalar K : {0.01, 1.0, 30.0})
+    {
+        const auto q = particleOf(K, 1.3);
+        const auto a = particleResponse::foresee(q, 0.7, 0.7, 0.4);
+        const vector v(marched(q, U, vector(q.other + q.load), 0.7));
+        EXPECT_NEAR(mag(a.b + a.s*U - v), 0, 1e-6) << "K " << K;
+        EXPECT_NEAR(a.sByK*K, a.s, 1e-12);
+    }
+}
+
+
+TEST(ParticleResponse, withoutDragOnlyForcesAct)
+{
+    for (const scalar K : {0.0, 1e-9})
+    {
+        const auto q = particleOf(K, 2);
+        const auto a = particleResponse::foresee(q, 0.5, 0.5, 0.4);
+        EXPECT_NEAR(a.s, 0, 1e-9);
+        EXPECT_NEAR(a.sByK, 0.5*0.5/2, 1e-9);
+        const vector v(q.velocity + 0.5*0.5*(q.other + q.load)/q.mass);
+        EXPECT_NEAR(mag(a.b - v), 0, 1e-8);
+    }
+}
+
+
+TEST(ParticleResponse, theSeriesMeetsTheExponential)
+{
+    // on both sides of x = 1e-4
+    for (const bool touched : {false, true})
+    {
+        auto q = particleOf(0.9999e-4, 1), p = particleOf(1.0001e-4, 1);
+        q.touched = p.touched = touched;
+        const auto a = particleResponse::foresee(q, 1, 1, 0.4);
+        const auto b = particleResponse::foresee(p, 1, 1, 0.4);
+        EXPECT_NEAR(mag(a.b - b.b), 0, 1e-7);
+        EXPECT_NEAR(b.s/a.s, 1.0002, 1e-6);
+        EXPECT_NEAR(b.sByK/a.sByK, 1, 1e-6);
+    }
+}
+
+
+TEST(ParticleResponse, aTouchedOneGoesOnAsItDid)
+{
+    // at rest under the same pull as before: it stays at rest
+    for (const scalar K : {0.01, 1.0, 500.0})
+    {
+        auto q = particleOf(K, 1);
+        const vector U(0.2, 0, 0.9);
+        q.touched = true;
+        q.velocity = q.mean = Zero;
+        q.impulse = 0.3*(K*U + q.load);
+        q.other = -(K*U + q.load);
+        for (const scalar part : {0.4, 1.0})
+        {
+            const auto a = particleResponse::foresee(q, 0.3, 0.3, part);
+            EXPECT_NEAR(mag(a.b + a.s*U), 0, 1e-12) << "K " << K;
+        }
+    }
+}
+
+
+TEST(ParticleResponse, itsOwnDisturbanceMovesItNot)
+{
+    for (const bool touched : {false, true})
+    {
+        auto q = particleOf(3, 1);
+        q.touched = touched;
+        const auto a = particleResponse::foresee(q, 0.3, 0.3, 0.4);
+        q.own = vector(0.25, 0, 0);
+        const auto b = particleResponse::foresee(q, 0.3, 0.3, 0.4);
+        // the cells' velocity is higher by its own part
+        EXPECT_NEAR(mag(b.b + b.s*q.own - a.b), 0, 1e-12);
+    }
+}
+
+
+TEST(ParticleResponse, stableForFreeOnes)
+{
+    EXPECT_LE(worst([](const oneCell& c, const velocityIs where)
+    {
+        return growth(c, truth::free, where, false);
+    }), 1 + 1e-9);
+}
+
+
+TEST(ParticleResponse, stableForTouchedOnesWhateverTheyDo)
+{
+    for (const truth what : {truth::free, truth::plug, truth::held})
+    {
+        EXPECT_LE(worst([&](const oneCell& c, const velocityIs where)
+        {
+            return growth(c, what, where, true);
+        }), 1 + 1e-9) << "truth " << int(what);
+    }
+}
+
+
+TEST(ParticleResponse, takenForFreeHeldOnesBurst)
+{
+    EXPECT_GT(growth({50, 0.6, 2.65}, truth::held, velocityIs::across, false), 5);
+}
+
+
+TEST(ParticleResponse, itsConstantsMatter)
+{
+    const oneCell stiff{1e4, 0.6, 2.65};
+
+    // more than half of a free one's answer in the equation of momentum
+    EXPECT_GT(growth(stiff, truth::held, velocityIs::across, true, 0.6), 1.5);
+
+    // the whole debt at once
+    EXPECT_GT(growth(stiff, truth::held, velocityIs::across, true, 0.4, 1), 1.5);
+}

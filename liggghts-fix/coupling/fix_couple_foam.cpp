@@ -63,7 +63,7 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   settings_(settings(narg,arg,error)),
   dt_(0.), idle_(false), opened_(-1), pending_(false), waited_(0), prompt_(true), warned_(false),
   exchanges_(0), bodies_(NULL), fluid_(NULL), more_(NULL), movers_(0), listed_(-1),
-  still_(false), unseen_(false), still_steps_(0), last_time_(0.), first_(true)
+  still_(false), unseen_(false), still_steps_(0), last_time_(0.)
 {
   given_[0] = given_[1] = given_[2] = 0.;
 

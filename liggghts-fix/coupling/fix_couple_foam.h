@@ -124,7 +124,6 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   clay::Particles sent_, answer_;
   std::vector<BodySphere> spheres_;  // of the bodies owned here
   double last_time_;             // of the last exchange [s]
-  bool first_;                   // there was none yet
   std::unique_ptr<CouplingReport> report_;
   std::unique_ptr<RunawayWatch> watch_;  // null when it is switched off
 };

@@ -85,7 +85,6 @@ void FixCoupleFoam::send(bool last)
   check_finite();
 
   last_time_ = update->get_cur_time();
-  first_ = false;
   session_->send(sent_,last_time_,last,{{given_[0],given_[1],given_[2]}});
   pending_ = true;
   waited_ = 0;
@@ -131,7 +130,6 @@ void FixCoupleFoam::tell_motions()
 {
   clay::Interval interval;
   interval.time = update->get_cur_time() - last_time_;
-  interval.first = first_;
   FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
   if (gravity) gravity->get_gravity(interval.gravity.data());
   if (domain->xperiodic || domain->yperiodic || domain->zperiodic)

@@ -45,7 +45,7 @@ struct Slot {
       mean[k] = velocity[k];
       other[k] = mass * interval.gravity[k];
     }
-    *touched = interval.first;
+    *touched = 0.;
   }
 
   // from its displacement [m] and the change of its velocity [m/s]

@@ -20,7 +20,6 @@ using LAMMPS_NS::BodySphere;
 struct Interval {
   double time = 0;                  ///< [s]
   std::array<double, 3> gravity{};  ///< [m/s2]
-  bool first = false;               ///< nothing is known of the time before
   /// Takes whole periods of the box off a displacement [m]; may be empty.
   std::function<void(double *)> nearest;
 };
@@ -35,7 +34,7 @@ struct BodyMotion {
 /// Puts mean velocity, other forces than the fluid's and whether anything but gravity
 /// was among these into the message, for spheres that are in it with velocity, mass
 /// and impulse, and keeps place and velocity in their rows for the next time. A sphere
-/// that is new is taken to have had its velocity and its weight alone.
+/// that is new is taken to have had its velocity, and to be free.
 void tell_motion(const std::vector<int> &list, const SphereArrays &spheres, double *const *fluid,
                  const Interval &interval, Particles &message);
 

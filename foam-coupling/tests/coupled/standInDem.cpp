@@ -59,7 +59,7 @@ class Settings {
 struct Sphere {
   Vec x, v, impulse{};
   Vec moved{}, other{};  // since the last exchange: displacement, impulse of all but the fluid
-  bool held = true;      // by more than gravity and fluid then
+  bool held = false;     // by more than gravity and fluid then
   double tag;
 };
 

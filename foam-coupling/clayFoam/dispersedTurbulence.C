@@ -32,7 +32,7 @@ makeBaseTurbulenceModel
     makeTemplatedTurbulenceModel                                               \
     (transportModeldispersedTurbulence, Kind, Type)
 
-#include "Stokes.H"
+// declared by laminarModel.H; "Stokes.H" would be that of the drag models
 offerModel(laminar, Stokes);
 
 #include "SpalartAllmaras.H"

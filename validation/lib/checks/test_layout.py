@@ -79,8 +79,8 @@ def real():
 def test_the_layout_is_that_of_the_sources(part):
     said, is_so = layout(read("CONTRIBUTING.md"))[part], real()[part]
     assert set(said) == set(is_so)
-    for room in set(said) - {"test", "tests"}:
-        assert said[room] == is_so[room], room
+    tests = {"test", "tests"}
+    assert {r: on for r, on in said.items() if r not in tests} == {r: on for r, on in is_so.items() if r not in tests}
 
 
 def test_the_layout_has_every_part_and_its_arrows_run_down():

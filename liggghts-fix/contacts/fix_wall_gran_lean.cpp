@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 
 #include "atom.h"
@@ -38,7 +39,6 @@ enum { MANY = 32, SELDOM = 100 };
 
 FixWallGranLean::FixWallGranLean(LAMMPS *lmp, int narg, char **arg) :
   FixWallGran(lmp,narg,arg),
-  modulus_given_(false), tangential_damping_(true), absolute_damping_(false), limit_force_(false), softer_(false),
   kn_(NULL), kt_(NULL), gamman_(NULL), gammat_(NULL), friction_(NULL),
   modulus_(NULL), restitution_log_(NULL), speed_(0.0),
   listed_(false), tidied_(0), looked_(0), touched_(0)
@@ -57,33 +57,16 @@ FixWallGranLean::FixWallGranLean(LAMMPS *lmp, int narg, char **arg) :
 
 void FixWallGranLean::read_model(int narg, char **arg)
 {
-  struct { const char *name, *value; bool given; } models[] = {
-    {"model", "hooke/stiffness", false}, {"tangential", "history", false},
-    {"rolling_friction", "off", true}, {"cohesion", "off", true}, {"surface", "default", true} };
-  struct { const char *name; bool *on; } switches[] = {
-    {"tangential_damping", &tangential_damping_}, {"absolute_damping", &absolute_damping_},
-    {"limitForce", &limit_force_}, {"ktToKnUser", &softer_} };
-
-  for (int i = 3; i + 1 < narg; i++)
-    modulus_given_ |= !strcmp(arg[i],"model") && !strcmp(arg[i+1],"hooke");
-  if (modulus_given_) models[0].value = "hooke";
-  for (int i = 3; i + 1 < narg; i++) {
-    for (auto &m : models)
-      if (!strcmp(arg[i],m.name)) {
-        if (strcmp(arg[i+1],m.value))
-          error->all(FLERR,(std::string("Fix wall/gran/lean: '") + m.name + " " + arg[i+1] + "' is not among what it can do: "
-                            "model hooke/stiffness or hooke, tangential history primitive ...; for anything else take fix wall/gran").c_str());
-        m.given = true;
-      }
-    for (auto &s : switches)
-      if (!strcmp(arg[i],s.name)) *s.on = !strcmp(arg[i+1],"on");
-    for (const char *odd : {"computeElasticPotential", "computeDissipatedEnergy", "heating_tangential_history", "viscous", "disableWhenBonded"})
-      if (!strcmp(arg[i],odd) && !strcmp(arg[i+1],"on"))
-        error->all(FLERR,(std::string("Fix wall/gran/lean: ") + odd + " needs fix wall/gran").c_str());
+  try {
+    for (int i = 3; i + 1 < narg; i++) {
+      model_.take(arg[i],arg[i+1]);
+      for (const char *odd : {"computeElasticPotential", "computeDissipatedEnergy", "heating_tangential_history", "viscous", "disableWhenBonded"})
+        if (!strcmp(arg[i],odd) && !strcmp(arg[i+1],"on")) throw std::invalid_argument(std::string("it cannot do '") + odd + " on'");
+    }
+    model_.complete();
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR,(std::string("Fix wall/gran/lean: ") + e.what() + "; for anything else take fix wall/gran").c_str());
   }
-  for (auto &m : models)
-    if (!m.given)
-      error->all(FLERR,(std::string("Fix wall/gran/lean: '") + m.name + " " + m.value + "' is missing").c_str());
   if (meshwall_ != 0)
     error->all(FLERR,"Fix wall/gran/lean: a primitive wall is needed; for a mesh take fix wall/gran");
 }
@@ -111,7 +94,7 @@ void FixWallGranLean::init()
   const char *who = "fix wall/gran/lean";
   force->registry.connect("coeffFrict",friction_,who);
   listed_ = false;
-  if (modulus_given_) {
+  if (model_.modulus()) {
     force->registry.connect("Yeff",modulus_,who);
     force->registry.connect("charVel",speed_,who);
     force->registry.connect("coeffRestLog",restitution_log_,who);
@@ -119,8 +102,8 @@ void FixWallGranLean::init()
   }
   force->registry.connect("k_n",kn_,who);
   force->registry.connect("k_t",kt_,who);
-  force->registry.connect(absolute_damping_ ? "gamman_abs" : "gamman",gamman_,who);
-  force->registry.connect(absolute_damping_ ? "gammat_abs" : "gammat",gammat_,who);
+  force->registry.connect(model_.absoluteDamping ? "gamman_abs" : "gamman",gamman_,who);
+  force->registry.connect(model_.absoluteDamping ? "gammat_abs" : "gammat",gammat_,who);
 }
 
 /* ----------------------------------------------------------------------
@@ -141,18 +124,18 @@ clay::ContactLaw FixWallGranLean::law(int i) const
 {
   const int a = atom->type[i], b = atom_type_wall_;
   clay::ContactLaw law;
-  if (modulus_given_) {
+  if (model_.modulus()) {
     law = clay::hookeLaw(radius_[i],rmass_[i],modulus_[a][b],speed_,restitution_log_[a][b]);
     law.kn /= force->nktv2p;
-    law.kt = softer_ ? 0.285714286*law.kn : law.kn;
+    law.kt = model_.softer ? 0.285714286*law.kn : law.kn;
   } else {
-    const double moving = absolute_damping_ ? 1.0 : rmass_[i];
+    const double moving = model_.absoluteDamping ? 1.0 : rmass_[i];
     law.kn = kn_[a][b]/force->nktv2p;
     law.kt = kt_[a][b]/force->nktv2p;
     law.gamman = moving*gamman_[a][b];
     law.gammat = moving*gammat_[a][b];
   }
-  if (!tangential_damping_) law.gammat = 0.0;
+  if (!model_.tangentialDamping) law.gammat = 0.0;
   law.friction = friction_[a][b];
   return law;
 }
@@ -243,7 +226,7 @@ void FixWallGranLean::post_force_primitive(int vflag)
   const clay::ContactSpheres spheres = { atom->x[0], atom->v[0], atom->omega[0],
                                          atom->f[0], atom->torque[0], atom->nlocal };
   const int touching = clay::wallForces(spheres,pairs_,shape_,fix_history_primitive_->array_atom[0],
-                                        update->dt,shearupdate_,limit_force_);
+                                        update->dt,shearupdate_,model_.limitForce);
   touched_ += touching;
   // many that have left
   if (pairs_.size() > 2*touching + MANY && update->ntimestep > tidied_ + SELDOM) listed_ = false;

@@ -18,6 +18,7 @@ FixStyle(wall/gran/lean,FixWallGranLean)
 #include <vector>
 
 #include "contacts/contact_kernel.h"
+#include "contacts/lean_model.h"
 #include "fix_wall_gran.h"
 
 namespace LAMMPS_NS {
@@ -49,8 +50,7 @@ class FixWallGranLean : public FixWallGran {
   bool meets(bool &changed) const;
   clay::ContactLaw law(int i) const;
 
-  bool modulus_given_;           // model hooke: stiffness from Young's modulus
-  bool tangential_damping_, absolute_damping_, limit_force_, softer_;
+  clay::LeanModel model_;
   double **kn_, **kt_, **gamman_, **gammat_, **friction_;
   double **modulus_, **restitution_log_, speed_;  // of model hooke
 

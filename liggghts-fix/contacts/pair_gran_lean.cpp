@@ -8,8 +8,8 @@
 
 #include <cstdio>
 #include <cstring>
+#include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "atom.h"
 #include "comm.h"
@@ -26,8 +26,7 @@ using namespace LAMMPS_NS;
 /* ---------------------------------------------------------------------- */
 
 PairGranLean::PairGranLean(LAMMPS *lmp) : PairGranProxy(lmp),
-  modulus_given_(false), tangential_damping_(true), absolute_damping_(false), limit_force_(false),
-  softer_(false), flags_read_(false),
+  flags_read_(false),
   kn_(NULL), kt_(NULL), gamman_(NULL), gammat_(NULL), friction_(NULL),
   modulus_(NULL), restitution_log_(NULL), speed_(0.0),
   margin_(0.0), sought_(false), built_(-1), inum_(0), searches_(0)
@@ -40,37 +39,16 @@ PairGranLean::PairGranLean(LAMMPS *lmp) : PairGranProxy(lmp),
 
 void PairGranLean::settings(int narg, char **arg)
 {
-  struct { const char *name, *value; bool given; } models[] = {
-    {"model", "hooke/stiffness", false}, {"model", "hooke", false}, {"tangential", "history", false},
-    {"rolling_friction", "off", true}, {"cohesion", "off", true}, {"surface", "default", true} };
-  struct { const char *name; bool *on; } switches[] = {
-    {"tangential_damping", &tangential_damping_}, {"absolute_damping", &absolute_damping_},
-    {"limitForce", &limit_force_}, {"ktToKnUser", &softer_} };
-  tangential_damping_ = true;
-  absolute_damping_ = limit_force_ = softer_ = false;
-
-  for (int i = 0; i < narg; i += 2) {
-    const std::string word = arg[i], value = i+1 < narg ? arg[i+1] : "";
-    bool known = false;
-    for (auto &m : models)
-      if (word == m.name && value == m.value) m.given = known = true;
-    for (auto &s : switches)
-      if (word == s.name && (value == "on" || value == "off")) {
-        *s.on = value == "on";
-        known = true;
-      }
-    if (!known)
-      error->all(FLERR,("Pair style gran/lean: '" + word + " " + value + "' is not among what it can do: "
-                        "model hooke/stiffness tangential history [tangential_damping|absolute_damping|limitForce on|off], "
-                        "model hooke tangential history [tangential_damping|limitForce|ktToKnUser on|off]; "
-                        "for anything else take pair_style gran").c_str());
+  model_ = clay::LeanModel();
+  try {
+    for (int i = 0; i < narg; i += 2) {
+      const std::string word = arg[i], value = i+1 < narg ? arg[i+1] : "";
+      if (!model_.take(word,value)) throw std::invalid_argument("'" + word + " " + value + "' is not among what it can do");
+    }
+    model_.complete();
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR,(std::string("Pair style gran/lean: ") + e.what() + "; for anything else take pair_style gran").c_str());
   }
-  if (models[1].given) std::swap(models[0],models[1]);
-  modulus_given_ = std::string(models[0].value) == "hooke";
-  models[1].given = true;
-  for (auto &m : models)
-    if (!m.given)
-      error->all(FLERR,(std::string("Pair style gran/lean: '") + m.name + " " + m.value + "' is missing").c_str());
   PairGranProxy::settings(narg,arg);
 }
 
@@ -78,7 +56,7 @@ void PairGranLean::settings(int narg, char **arg)
 
 void PairGranLean::init_style()
 {
-  if (!contact_match("normal",modulus_given_ ? "hooke" : "hooke/stiffness") || !contact_match("tangential","history"))
+  if (!contact_match("normal",model_.modulus() ? "hooke" : "hooke/stiffness") || !contact_match("tangential","history"))
     error->all(FLERR,"Pair style gran/lean: the restart file is of another contact model; take pair_style gran");
   if (neighbor->contactDistanceFactor != 1.0)
     error->all(FLERR,"Pair style gran/lean: contact_distance_factor must be 1; for another take pair_style gran");
@@ -128,7 +106,7 @@ void PairGranLean::init_granular()
   PairGranProxy::init_granular();
   const char *who = "pair gran/lean";
   force->registry.connect("coeffFrict",friction_,who);
-  if (modulus_given_) {
+  if (model_.modulus()) {
     force->registry.connect("Yeff",modulus_,who);
     force->registry.connect("charVel",speed_,who);
     force->registry.connect("coeffRestLog",restitution_log_,who);
@@ -136,8 +114,8 @@ void PairGranLean::init_granular()
   }
   force->registry.connect("k_n",kn_,who);
   force->registry.connect("k_t",kt_,who);
-  force->registry.connect(absolute_damping_ ? "gamman_abs" : "gamman",gamman_,who);
-  force->registry.connect(absolute_damping_ ? "gammat_abs" : "gammat",gammat_,who);
+  force->registry.connect(model_.absoluteDamping ? "gamman_abs" : "gamman",gamman_,who);
+  force->registry.connect(model_.absoluteDamping ? "gammat_abs" : "gammat",gammat_,who);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -17,6 +17,7 @@ PairStyle(gran/lean,PairGranLean)
 #include <vector>
 
 #include "contacts/contact_kernel.h"
+#include "contacts/lean_model.h"
 #include "pair_gran_proxy.h"
 
 namespace LAMMPS_NS {
@@ -47,8 +48,7 @@ class PairGranLean : public PairGranProxy {
   void seek_pairs();
   clay::ContactLaw law(int i, int j) const;
 
-  bool modulus_given_;              // model hooke: stiffness from Young's modulus
-  bool tangential_damping_, absolute_damping_, limit_force_, softer_;
+  clay::LeanModel model_;
   bool flags_read_;                 // somebody reads from the lists which pairs touch
   double **kn_, **kt_, **gamman_, **gammat_, **friction_;
   double **modulus_, **restitution_log_, speed_;  // of model hooke

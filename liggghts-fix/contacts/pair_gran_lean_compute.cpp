@@ -51,20 +51,20 @@ clay::ContactLaw PairGranLean::law(int i, int j) const
 
   clay::ContactLaw law;
   law.friction = friction_[a][b];
-  if (modulus_given_) {
+  if (model_.modulus()) {
     const double ri = atom->radius[i], rj = atom->radius[j];
     law = clay::hookeLaw(ri*rj/(ri + rj),moving,modulus_[a][b],speed_,restitution_log_[a][b]);
     law.friction = friction_[a][b];
     law.kn /= force->nktv2p;
-    law.kt = softer_ ? 0.285714286*law.kn : law.kn;
-    if (!tangential_damping_) law.gammat = 0.0;
+    law.kt = model_.softer ? 0.285714286*law.kn : law.kn;
+    if (!model_.tangentialDamping) law.gammat = 0.0;
     return law;
   }
-  if (absolute_damping_) moving = 1.0;
+  if (model_.absoluteDamping) moving = 1.0;
   law.kn = kn_[a][b]/force->nktv2p;
   law.kt = kt_[a][b]/force->nktv2p;
   law.gamman = moving*gamman_[a][b];
-  law.gammat = tangential_damping_ ? moving*gammat_[a][b] : 0.0;
+  law.gammat = model_.tangentialDamping ? moving*gammat_[a][b] : 0.0;
   return law;
 }
 
@@ -144,5 +144,5 @@ void PairGranLean::compute_force(int eflag, int vflag, int addflag)
 
   const clay::ContactSpheres spheres = { atom->x[0], atom->v[0], atom->omega[0],
                                          atom->f[0], atom->torque[0], atom->nlocal };
-  clay::contactForces(spheres,pairs_,update->dt,shearupdate(),limit_force_);
+  clay::contactForces(spheres,pairs_,update->dt,shearupdate(),model_.limitForce);
 }

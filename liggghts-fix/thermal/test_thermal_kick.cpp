@@ -7,6 +7,38 @@
 
 using namespace clay;
 
+// the generator's published answers: of zeros, of ones, of the digits of pi
+TEST(ThermalKick, generatorGivesItsKnownAnswers)
+{
+  typedef r123::Philox4x64::ctr_type Counter;
+  typedef r123::Philox4x64::key_type Key;
+  const std::uint64_t ones = ~std::uint64_t(0);
+  struct Known { Counter counter; Key key; Counter answer; };
+  const Known all[] = {
+      {{{0, 0, 0, 0}}, {{0, 0}},
+       {{0x16554d9eca36314c, 0xdb20fe9d672d0fdc, 0xd7e772cee186176b, 0x7e68b68aec7ba23b}}},
+      {{{ones, ones, ones, ones}}, {{ones, ones}},
+       {{0x87b092c3013fe90b, 0x438c3c67be8d0224, 0x9cc7d7c69cd777b6, 0xa09caebf594f0ba0}}},
+      {{{0x243f6a8885a308d3, 0x13198a2e03707344, 0xa4093822299f31d0, 0x082efa98ec4e6c89}},
+       {{0x452821e638d01377, 0xbe5466cf34e90c6c}},
+       {{0xa528f45403e61d95, 0x38c72dbd566e9788, 0xa5a1610e72fd18b5, 0x57bd43b5e52b7fe6}}},
+  };
+  for (const Known &k : all) EXPECT_TRUE(r123::Philox4x64()(k.counter, k.key) == k.answer);
+}
+
+// the answer of zeros, made normal
+TEST(ThermalKick, normalsAreThoseOfTheGenerator)
+{
+  double four[4];
+  normals(0, 0, 0, 0, four);
+  const double bits[4] = {0x16554d9eca36314cp-64, 0xdb20fe9d672d0fdcp-64, 0xd7e772cee186176bp-64, 0x7e68b68aec7ba23bp-64};
+  for (int p = 0; p < 2; p++) {
+    const double r = std::sqrt(-2 * std::log(bits[2 * p])), angle = 2 * M_PI * bits[2 * p + 1];
+    EXPECT_NEAR(four[2 * p], r * std::cos(angle), 1e-14);
+    EXPECT_NEAR(four[2 * p + 1], r * std::sin(angle), 1e-14);
+  }
+}
+
 TEST(ThermalKick, normalAndIndependent)
 {
   const int particles = 2000, steps = 100;
@@ -40,13 +72,16 @@ TEST(ThermalKick, normalAndIndependent)
 
 TEST(ThermalKick, sameAgainAndOtherwiseOtherwise)
 {
-  double a[4], b[4], c[4];
+  double a[4], b[4], others[4][4];
   normals(1, 7, 1000000, 0, a);
   normals(1, 7, 1000000, 0, b);
-  normals(2, 7, 1000000, 0, c);
+  normals(2, 7, 1000000, 0, others[0]);
+  normals(1, 8, 1000000, 0, others[1]);
+  normals(1, 7, 1000001, 0, others[2]);
+  normals(1, 7, 1000000, 1, others[3]);
   for (int k = 0; k < 4; k++) {
     EXPECT_EQ(a[k], b[k]);
-    EXPECT_NE(a[k], c[k]);
+    for (const auto &c : others) EXPECT_NE(a[k], c[k]);
   }
 }
 

@@ -4,6 +4,8 @@
 #ifndef LMP_THERMAL_KICK_H
 #define LMP_THERMAL_KICK_H
 
+#include <Random123/philox.h>
+
 #include <cmath>
 #include <cstdint>
 
@@ -12,26 +14,16 @@ namespace clay {
 /// Boltzmann's constant [J/K], exact in the SI.
 constexpr double boltzmann = 1.380649e-23;
 
-/// Finaliser of splitmix64 (Steele, Lea and Flood 2014): a bijection whose output
-/// looks random for inputs that differ in one bit.
-inline std::uint64_t scramble(std::uint64_t z)
-{
-  z += 0x9e3779b97f4a7c15ull;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-  return z ^ (z >> 31);
-}
-
-/// Four independent standard normal numbers of a particle at a step (Box and Muller): the same on
-/// any number of processors and in any order. `stream` gives a particle more than four.
+/// Four independent standard normal numbers of a particle at a step: the same on any number
+/// of processors and in any order. `stream` gives a particle more than four. Philox 4x64
+/// (Salmon, Moraes, Dror and Shaw 2011) of the counter (tag, step, stream), then Box and Muller.
 inline void normals(std::uint64_t seed, std::uint64_t tag, std::uint64_t step, std::uint64_t stream,
                     double *four)
 {
-  const std::uint64_t key = scramble(scramble(scramble(seed) ^ tag) ^ (4 * step + stream));
+  const auto bits = r123::Philox4x64()({{tag, step, stream, 0}}, {{seed, 0}});
   for (int p = 0; p < 2; p++) {
     // 53 bits each: in (0,1] and in [0,1)
-    const double u = ((scramble(key ^ (2 * p + 1)) >> 11) + 1) * 0x1p-53;
-    const double v = (scramble(key ^ ((2 * p + 2) << 8)) >> 11) * 0x1p-53;
+    const double u = ((bits[2 * p] >> 11) + 1) * 0x1p-53, v = (bits[2 * p + 1] >> 11) * 0x1p-53;
     const double r = std::sqrt(-2 * std::log(u));
     four[2 * p] = r * std::cos(2 * M_PI * v);
     four[2 * p + 1] = r * std::sin(2 * M_PI * v);

@@ -168,7 +168,11 @@ scalar worst(const Function& of)
         {
             for (const scalar ratio : {0.05, 1.0, 2.65, 10.0})
             {
-                for (const velocityIs where : {velocityIs::across, velocityIs::along})
+                for
+                (
+                    const velocityIs where
+                  : {velocityIs::across, velocityIs::along}
+                )
                 {
                     largest = std::max
                     (
@@ -287,7 +291,9 @@ TEST(ParticleResponse, stableForTouchedOnesWhateverTheyDo)
 
 TEST(ParticleResponse, takenForFreeHeldOnesBurst)
 {
-    EXPECT_GT(growth({50, 0.6, 2.65}, truth::held, velocityIs::across, false), 5);
+    const scalar g =
+        growth({50, 0.6, 2.65}, truth::held, velocityIs::across, false);
+    EXPECT_GT(g, 5);
 }
 
 
@@ -299,5 +305,7 @@ TEST(ParticleResponse, itsConstantsMatter)
     EXPECT_GT(growth(stiff, truth::held, velocityIs::across, true, 0.6), 1.5);
 
     // the whole debt at once
-    EXPECT_GT(growth(stiff, truth::held, velocityIs::across, true, 0.4, 1), 1.5);
+    const scalar g =
+        growth(stiff, truth::held, velocityIs::across, true, 0.4, 1);
+    EXPECT_GT(g, 1.5);
 }

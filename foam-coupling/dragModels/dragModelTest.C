@@ -202,8 +202,9 @@ TEST(dragModel, valuesByHand)
         {"SyamlalOBrien", 0.5, 0, 152.327},
         // V_r = 1: as Di Felice alone
         {"SyamlalOBrien", 1, 100, 92.4075},
-        // slip 100 in it: B 0.329436, V_r = (A - 6 + (36 + 12 (2 B - A) + A^2)^1/2)/2
-        // = 0.3158, 3/4 50 (0.63 + 4.8 (V_r/100)^1/2)^2/V_r^2
+        // slip 100 in it: B 0.329436,
+        // V_r = (A - 6 + (36 + 12 (2 B - A) + A^2)^1/2)/2 = 0.3158,
+        // 3/4 50 (0.63 + 4.8 (V_r/100)^1/2)^2/V_r^2
         {"SyamlalOBrien", 0.5, 50, 304.398}
     };
 

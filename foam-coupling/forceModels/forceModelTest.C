@@ -118,7 +118,8 @@ TEST(saffmanMei, hasMeisFactor)
     EXPECT_NEAR
     (
         F.z(),
-        1.615*rho*sqr(d)*std::sqrt(nu*w)*s*saffmanMei::factor(d*s/nu, d*w/(2*s)),
+        1.615*rho*sqr(d)*std::sqrt(nu*w)*s
+       *saffmanMei::factor(d*s/nu, d*w/(2*s)),
         1e-15
     );
 }
@@ -183,7 +184,8 @@ TEST(magnus, hasOesterlesCoefficient)
 TEST(torque, isKirchhoffs)
 {
     const auto t = force("torque");
-    EXPECT_NEAR(t->turnCoefficient(mu, d), 8*constant::mathematical::pi*mu*pow3(d/2), 1e-25);
+    const scalar C = 8*constant::mathematical::pi*mu*pow3(d/2);
+    EXPECT_NEAR(t->turnCoefficient(mu, d), C, 1e-25);
     EXPECT_TRUE(t->needsVorticity());
     EXPECT_EQ(force("magnus")->turnCoefficient(mu, d), 0);
 }

@@ -30,7 +30,12 @@ TEST(selfDisturbance, responseByFourier)
 
     for (const scalar theta : {0.0, 0.05, 0.7})
     {
-        for (const auto& o : {Vector<int>(0, 0, 0), Vector<int>(1, 0, 2), Vector<int>(-1, 2, 1)})
+        using offset = Vector<int>;
+        for
+        (
+            const offset& o
+          : {offset(0, 0, 0), offset(1, 0, 2), offset(-1, 2, 1)}
+        )
         {
             symmTensor T(Zero), L(Zero);
             vector D(Zero);
@@ -103,7 +108,8 @@ TEST(selfDisturbance, meansAddUp)
         );
         for (direction c = 0; c < 6; ++c)
         {
-            EXPECT_NEAR(sum[c], whole[c], 3e-3*mag(whole)) << from << ' ' << int(c);
+            EXPECT_NEAR(sum[c], whole[c], 3e-3*mag(whole))
+                << from << ' ' << int(c);
         }
     }
 }
@@ -115,7 +121,11 @@ TEST(selfDisturbance, farAndLate)
     const latticeResponse table(vector::one, 0);
     for (const scalar theta : {8.0, 30.0})
     {
-        for (const vector& r : {vector(0, 0, 0), vector(3, 1, 0), vector(4, -4, 2)})
+        for
+        (
+            const vector& r
+          : {vector(0, 0, 0), vector(3, 1, 0), vector(4, -4, 2)}
+        )
         {
             const symmTensor lattice
             (
@@ -124,7 +134,8 @@ TEST(selfDisturbance, farAndLate)
             const symmTensor far(latticeResponse::far(r, theta + 0.15));
             for (direction c = 0; c < 6; ++c)
             {
-                EXPECT_NEAR(far[c], lattice[c], 0.03*mag(lattice)) << theta << r;
+                EXPECT_NEAR(far[c], lattice[c], 0.03*mag(lattice))
+                    << theta << r;
             }
         }
     }
@@ -186,7 +197,10 @@ TEST(selfDisturbance, historyKeepsImpulse)
     const std::vector<double> numbers(h.pack());
     const disturbanceHistory copy
     (
-        disturbanceHistory::unpack(numbers.data(), numbers.data() + numbers.size())
+        disturbanceHistory::unpack
+        (
+            numbers.data(), numbers.data() + numbers.size()
+        )
     );
     EXPECT_EQ(copy.pack(), numbers);
 }

@@ -157,7 +157,8 @@ Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
             heat(a[d]*theta, a[d], lines[d]);
         }
 
-        const std::vector<double> sumBefore(f >= 0 && theta > spread ? std::vector<double>() : sum);
+        const bool kept = f >= 0 && theta > spread;
+        const std::vector<double> sumBefore(kept ? std::vector<double>() : sum);
         for (int o = 0; o < offsets_; ++o)
         {
             const int n[3] = {o % side_, (o/side_) % side_, o/(side_*side_)};
@@ -247,7 +248,8 @@ Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
         for (int o = 0; o < offsets_; ++o)
         {
             double* t = &table_[(size_t(k)*offsets_ + o)*2*width_];
-            const double* zero = &table_[(size_t(nodes_)*offsets_ + o)*2*width_];
+            const double* zero =
+                &table_[(size_t(nodes_)*offsets_ + o)*2*width_];
             for (int c = 0; c < width_; ++c)
             {
                 t[width_ + c] = t[c] + (zero[width_ + c] - t[width_ + c])/theta;
@@ -388,7 +390,11 @@ Foam::latticeResponse::values Foam::latticeResponse::mean
             for (int c = 0; c < 6; ++c)
             {
                 sum.byFaces[c] += weight*t[c]
-                   *(first[c] == second[c] ? 1 : sign[first[c]]*sign[second[c]]);
+                   *(
+                        first[c] == second[c]
+                      ? 1
+                      : sign[first[c]]*sign[second[c]]
+                    );
             }
             for (int d = 0; d < 3; ++d)
             {
@@ -414,7 +420,11 @@ Foam::symmTensor Foam::latticeResponse::longitudinal
             for (int c = 0; c < 6; ++c)
             {
                 sum[c] += weight*instant_[o*10 + c]
-                   *(first[c] == second[c] ? 1 : sign[first[c]]*sign[second[c]]);
+                   *(
+                        first[c] == second[c]
+                      ? 1
+                      : sign[first[c]]*sign[second[c]]
+                    );
             }
         }
     );

@@ -31,8 +31,8 @@ def read(folder, row):
             where = np.arange(cells)
             if rank is not None:
                 where = _labels(os.path.join(place, "constant", "polyMesh", "cellProcAddressing"))
-            at = openfoam.times(place)[-1][1]
-            whole[where] = openfoam.internal_field(os.path.join(at, name), len(where))
+            last = openfoam.times(place)[-1][1]
+            whole[where] = openfoam.internal_field(os.path.join(last, name), len(where))
         found[name] = whole
     with open(os.path.join(folder, "DEM", "dem.json"), encoding="utf-8") as f:
         dem = json.load(f)
@@ -47,15 +47,15 @@ def read(folder, row):
 
 
 def _elsewhere(start, end):
-    """Spheres that are not where the cuts of scene.py want them: layers above their level at the start, below it at the
-    end, and never below that of the empty rank."""
+    """Spheres that are not where the cuts of scene.py want them: layers above their
+    level at the start, below it at the end, and never above that of the empty rank."""
     level = {cut: scene.SIDE*k for cut, (k, _) in scene.CUTS.items()}
     upper = dict(zip(start["id"], start["z"] > level["spread"]))
     count = 0
     for dump, side in ((start, 1), (end, -1)):
         for tag, z, r in zip(dump["id"], dump["z"], dump["radius"]):
             border = level["emptying" if upper[tag] else "filling"]
-            count += side*(z - border) < r or z - r < level["empty"]
+            count += side*(z - border) < r or z + r > level["empty"]
     return int(count)
 
 

@@ -6,7 +6,7 @@ z = 18 mm and one just above 6 mm. Each falls through that level within the
 run, so that where the cells are cut between ranks says what happens on one of them:
 
     spread     the rank of the upper half has grains all the time
-    empty      the rank below 2 mm has none all the time
+    empty      the rank above 22 mm has none all the time
     emptying   the rank above 18 mm has those of the upper layer, then none
     filling    the rank below 6 mm has none, then those of the lower layer
 """
@@ -24,7 +24,7 @@ CELLS = (4, 4, 12)
 SIDE = 2e-3             # of a cell [m]
 EXCHANGES = 20
 # the planes' heights in cells, and whether the rank of its own is above or below
-CUTS = {"spread": (6, "above"), "empty": (1, "below"), "emptying": (9, "above"), "filling": (3, "below")}
+CUTS = {"spread": (6, "above"), "empty": (11, "above"), "emptying": (9, "above"), "filling": (3, "below")}
 _LAYERS = (18.6e-3, 6.6e-3)
 
 

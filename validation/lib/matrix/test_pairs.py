@@ -33,7 +33,7 @@ def test_every_pair_is_in_a_row_and_no_row_is_excluded(allowed):
 
 
 def test_a_pair_that_needs_a_third_value_is_seen():
-    """a = 1 and b = 1 stand together only where c is 2, the value tried last."""
+    """a = 1 and b = 1 stand together only where c is 2, whichever is tried first."""
     table = {"a": (0, 1), "b": (0, 1), "c": (0, 1, 2)}
 
     def allowed(row):
@@ -41,6 +41,8 @@ def test_a_pair_that_needs_a_third_value_is_seen():
     rows = pairs.all_pairs(table, allowed)
     assert not missing(rows, table, allowed)
     assert {"a": 1, "b": 1, "c": 2} in rows
+    for turn in range(9):
+        assert pairs.completed({"a": 1, "b": 1}, table, allowed, turn=turn) == {"a": 1, "b": 1, "c": 2}
 
 
 def test_the_same_rows_each_time():

@@ -41,7 +41,7 @@ def answer(folder, row):
     """The end of a run that must end well."""
     outcome = start(folder, row)
     if outcome.status is None:
-        raise Broken(f"hangs: stopped after {outcome.seconds:.0f} s")
+        raise Broken(f"no end within {LIMIT} s: it hangs, or the machine does much else")
     if outcome.status != 0:
         raise Broken(f"ended with {outcome.status}: {said(outcome.output)}")
     found, counts = answers.read(folder, row)

@@ -90,7 +90,7 @@ def _foam(row):
     coupling |= {"forceModels": f"({' '.join(axes.forces(row))})", "allowNoBuoyancy": "yes"}
     if row["smoothingModel"] == "diffusion":
         coupling["diffusionCoeffs"] = "{ bandwidth 4e-3; }"
-    solver = {"GAMG": "solver GAMG; smoother GaussSeidel;"}.get(
+    solver = {"GAMG": "solver GAMG; smoother GaussSeidel; directSolveCoarsest yes;"}.get(
         row["pressureSolver"], f"solver PCG; preconditioner {row['pressureSolver']};")
     tilt = 0.7e-3 if row["mesh"] == "skew" else 0.0
     return {"coupling": coupling, "row": {

@@ -18,7 +18,7 @@ from cases.lib.case.errors import CaseError
 from cases.lib.case.program import guarded
 from cases.lib.run import runkey
 from validation.lib.checks import coupled
-from validation.lib.stress import stress_design, stress_run
+from validation.lib.stress import stress_beds, stress_design, stress_run
 
 OUTCOMES = ("bounded", "refused", "failed")
 
@@ -29,6 +29,7 @@ def parser():
         description="Maps the stability of coupled runs: each ends bounded, is refused with a reason, or has failed.",
         epilog="A map that was interrupted goes on where it was; programs or scenes that changed begin a new one.")
     p.add_argument("--runs", type=int, metavar="N", help="only N runs, of all parts of the map")
+    p.add_argument("--part", choices=("free", "beds"), help="only this part of the map (both)")
     p.add_argument("--json", metavar="FILE", help="write the runs as a list of objects, too")
     p.add_argument("--out", metavar="DIR", help="where runs, table and picture go (results/stress)")
     p.add_argument("--jobs", type=int, default=max(1, len(os.sched_getaffinity(0))), metavar="J",
@@ -48,7 +49,7 @@ def version():
     """A hash of what decides the outcomes: programs, scene, sample, bounds."""
     case = stress_run.casefile.Case(stress_run.CASE)
     found = {"programs": runkey.programs(), "inputs": runkey.inputs(case), "values": case.values}
-    for module in (stress_design, stress_run, stress_run.stress_bounds):
+    for module in (stress_design, stress_run, stress_run.stress_bounds, stress_beds, stress_beds.stiff_beds):
         with open(module.__file__, "rb") as f:
             found[module.__name__] = hashlib.sha256(f.read()).hexdigest()
     return hashlib.sha256(json.dumps(found, sort_keys=True).encode()).hexdigest()[:16]
@@ -109,7 +110,7 @@ class Map:
                 name, point = waiting.pop(0)
             began = time.monotonic()
             try:
-                row = stress_run.one(point, os.path.join(self.out, "runs", name), self.keep)
+                row = made(point, os.path.join(self.out, "runs", name), self.keep)
             except Exception as e:  # a run that breaks the driver has failed; the others go on
                 row = {**point, "outcome": "failed", "reason": f"{type(e).__name__}: {e}"}
             row = {"id": name, **row, "wall_s": round(time.monotonic() - began, 3)}
@@ -130,6 +131,23 @@ class Map:
         line = (f"run {self.made} of {self.total}, ETA {int(left) // 60}:{int(left) % 60:02d}  "
                 + ", ".join(f"{count[o]} {o}" for o in OUTCOMES))
         print(("\r" + line) if self.terminal else line, end="" if self.terminal else "\n", flush=True)
+
+
+def made(point, folder, keep):
+    """Makes a run of either part; its row."""
+    if "bed" not in point:
+        return stress_run.one(point, folder, keep)
+    row = stress_beds.one(point, folder)
+    if not keep and row["outcome"] == "bounded":
+        shutil.rmtree(folder, ignore_errors=True)
+    return row
+
+
+def chosen(part, count):
+    """The points of a part, or of both."""
+    free = stress_design.design(count) if part != "beds" else []
+    beds = stress_beds.points() if part != "free" else []
+    return free + (beds if count is None else beds[:count - len(free)] if free else beds[:count])
 
 
 def kind(reason):
@@ -168,14 +186,14 @@ def main():
         raise CaseError(f"--jobs {args.jobs}: must be at least 1")
     out = os.path.abspath(args.out or os.path.join(coupled.TOP, "results", "stress"))
     os.makedirs(os.path.join(out, "runs"), exist_ok=True)
-    points = stress_design.design(args.runs)
+    points = chosen(args.part, args.runs)
     if args.only:
-        known = {identity(p): p for p in stress_design.design()}
+        known = {identity(p): p for p in chosen(None, None)}
         unknown = [k for k in args.only if k not in known]
         if unknown:
             raise CaseError(f"--only {unknown[0]}: no such run; the column id of stress.csv names them")
         for name in args.only:
-            row = stress_run.one(known[name], os.path.join(out, "runs", name), keep=True)
+            row = made(known[name], os.path.join(out, "runs", name), True)
             print(json.dumps({"id": name, **row}, indent=1))
         return 0
     if args.fresh:
@@ -185,7 +203,9 @@ def main():
     rows = Map(out, args.jobs, keep=False).go(points, args.fresh)
     write(out, rows, args.json)
     from validation.lib.stress import stress_picture
-    stress_picture.draw(os.path.join(out, "stress.png"), rows)
+    free = [r for r in rows if "bed" not in r]
+    if free:
+        stress_picture.draw(os.path.join(out, "stress.png"), free)
     said = report(rows)
     print(said)
     if args.record:

@@ -253,6 +253,29 @@ TEST(ParticleResponse, aTouchedOneGoesOnAsItDid)
 }
 
 
+TEST(ParticleResponse, aTouchedOnesMomentaryVelocityCountsWhereDragIsSlow)
+{
+    // the pull of the interval before goes on; what it does at the moment is
+    // soon forgotten where K T >> m, and goes on where K T << m
+    const scalar T = 0.3;
+    for (const scalar x : {1e-3, 1e3})
+    {
+        auto q = particleOf(x/T, 1);
+        q.touched = true;
+        q.load = Zero;
+        const vector pull(q.mean + q.impulse/(q.K*T));
+        const auto a = particleResponse::foresee(q, T, T, 0.4);
+        const vector wanted
+        (
+            x > 1
+          ? q.mean
+          : q.velocity + 0.5*T/q.mass*(q.other + q.impulse/T)
+        );
+        EXPECT_NEAR(mag(a.b + a.s*pull - wanted), 0, 4e-3) << "x " << x;
+    }
+}
+
+
 TEST(ParticleResponse, itsOwnDisturbanceMovesItNot)
 {
     for (const bool touched : {false, true})

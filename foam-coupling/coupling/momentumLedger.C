@@ -191,6 +191,19 @@ void Foam::momentumLedger::setSources
 }
 
 
+void Foam::momentumLedger::setReaction
+(
+    const dispersedParticles& p,
+    const vectorField& force,
+    const smoothingModel& smoothing
+)
+{
+    spread(p, force, reaction_);
+    smooth(smoothing, reaction_);
+    reaction_ *= -1;
+}
+
+
 Foam::scalarField Foam::momentumLedger::follow
 (
     const volScalarField& n,

@@ -292,9 +292,8 @@ void Foam::particleCoupling::foreseeAnswer()
     {
         particleResponse::particle& q = all[i];
         q.K = forces_.K[i];
-        q.mass =
-            p.mass[i]
-          + (forces_.addedMass.size() ? forces_.addedMass[i] : 0);
+        q.mass = p.mass[i];
+        q.added = forces_.addedMass.size() ? forces_.addedMass[i] : 0;
         q.velocity = p.velocity[i];
         q.own = own.size() ? own[i] : vector::zero;
         q.fluid = u[i] + q.own;
@@ -307,6 +306,10 @@ void Foam::particleCoupling::foreseeAnswer()
         q.touched = p.touched[i];
     }
 
+    if (forces_.addedDensity() > 0)
+    {
+        ledger_.setReaction(p, forces_.reacting, smoothing_());
+    }
     response_.foresee
     (
         p,

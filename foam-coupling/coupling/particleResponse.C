@@ -14,26 +14,36 @@ Foam::particleResponse::answer Foam::particleResponse::foresee
     const scalar part
 )
 {
-    // 1 - a, and (1 - a)/K, both finite for K -> 0
-    const scalar x = q.K*T/q.mass;
+    const scalar mass = q.mass + q.added;
+    const scalar x = q.K*T/mass;
+
+    // 1 - a and 1 - exp(-x), and both over K, all finite for K -> 0
     const scalar a =
         x > 1e-4 ? -std::expm1(-x)/x : 1 - 0.5*x*(1 - x/3);
     const scalar h = x > 1e-4 ? 1 - a : 0.5*x*(1 - x/3);
-    const scalar hByK =
-        T/q.mass*(x > 1e-4 ? h/x : 0.5*(1 - x/3));
+    const scalar hByK = T/mass*(x > 1e-4 ? h/x : 0.5*(1 - x/3));
+    const scalar g = x*a;
+    const scalar gByK = T/mass*a;
 
     if (!q.touched)
     {
+        const vector force(q.other + q.load);
         return
         {
-            a*q.velocity + hByK*(q.other + q.load) - h*q.own,
+            a*q.velocity + hByK*force - h*q.own,
             h,
-            hByK
+            hByK,
+            gByK*force - g*(q.velocity + q.own),
+            g,
+            gByK
         };
     }
 
-    const vector received(Tlast > 0 ? q.impulse/Tlast : -q.other);
-    const vector before(h*q.mean + hByK*received);
+    // the fluid's pull in the interval before, less K vMean
+    vector pull(Tlast > 0 ? q.impulse/Tlast : -q.other);
+    pull += q.added/q.mass*(pull + q.other);
+
+    const vector before(h*q.mean + hByK*pull);
     const scalar c = 1/(1 + x);
 
     return
@@ -41,7 +51,10 @@ Foam::particleResponse::answer Foam::particleResponse::foresee
         c*(a*q.velocity + before + hByK*q.other) + (1 - c)*q.mean
       + part*(hByK*q.load - h*q.own - before),
         part*h,
-        part*hByK
+        part*hByK,
+        part*(gByK*(q.load - pull) - g*(q.own + q.mean)),
+        part*g,
+        part*gByK
     };
 }
 
@@ -164,8 +177,9 @@ void Foam::particleResponse::foresee
         const answer c = foresee(q, T, Tlast, inContinuity);
         const scalar V = p.volume[i];
 
-        const scalar Ki = q.K*(1 - m.s);
-        const vector Fi(q.K*(m.b + q.own));
+        const scalar inertia = q.added/T;
+        const scalar Ki = q.K*(1 - m.s) - inertia*m.g;
+        const vector Fi(q.K*(m.b + q.own) + inertia*m.c);
         // the solids' flux that the equation of continuity has already
         const vector& had = particleFlux ? q.velocity : q.mean;
         const vector Qi(V*(c.b + c.s*q.fluid + c.sByK*q.push - had));
@@ -182,7 +196,7 @@ void Foam::particleResponse::foresee
             }
             if (pressure)
             {
-                off[celli] += w*V*(w - m.s);
+                off[celli] += w*V*(w - m.s - inertia*m.gByK);
                 reaction[celli] += w*w*V;
             }
             if (displaced && pressure)

@@ -230,7 +230,7 @@ Foam::particleCoupling::particleCoupling
             properties_.has("pressureGradient")
         }
     ),
-    ledger_(mesh_, rho_),
+    ledger_(mesh_, rho_, forces_.addedDensity() > 0),
     response_(mesh_, rho_),
     history_(U_),
     gradP_

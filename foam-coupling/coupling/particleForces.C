@@ -129,15 +129,11 @@ void Foam::particleForces::damp
             )
         );
     }
-    else if (part.size())
+    else
     {
         vectorField& f = sent_->primitiveFieldRef();
         f += part*(density.primitiveField() - f);
         sent_->correctBoundaryConditions();
-    }
-    else
-    {
-        *sent_ == density;
     }
 
     density == *sent_;

@@ -130,10 +130,12 @@ void Foam::fluidSolver::freeFlux
             yieldFaces_[f]*(flux[f] + inertiaFaces_[f])
           + rDFaces_[f]*source[f];
     }
-    faces_.patches([&](const label patchi, const fvPatch& patch)
+    // also on ranks that hold no face of the patch: it must be told
+    forAll(mesh_.boundary(), patchi)
     {
         if (carries(patchi))
         {
+            const fvPatch& patch = mesh_.boundary()[patchi];
             scalarField slope(patch.size());
             forAll(slope, i)
             {
@@ -149,7 +151,7 @@ void Foam::fluidSolver::freeFlux
                 p_.boundaryFieldRef()[patchi]
             ).updateSnGrad(slope);
         }
-    });
+    }
 
     // n times it, and what the particles do with it
     forAll(flux, f)

@@ -341,10 +341,12 @@ void Foam::fluidSolver::step(particleCoupling& coupling, const scalar part)
         }
 
         prepareCorrectors(coupling, UEqn);
+        // all ranks alike: a setting
         const scalar spread = correctorTolerance_ > 0 ? neighbours(UEqn) : 0;
         bool enough = false;
         while (pimple_.correct())
         {
+            // all ranks alike: settled() is collective
             if (enough)
             {
                 continue;
@@ -356,6 +358,7 @@ void Foam::fluidSolver::step(particleCoupling& coupling, const scalar part)
             correctPressure(coupling, ddtN, UEqn);
             coupling.checkFields();
             fvOptions.correct(U_);
+            // all ranks alike: a setting
             enough = correctorTolerance_ > 0 && settled(before, spread);
             ++correctors_;
         }

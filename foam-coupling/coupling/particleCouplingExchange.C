@@ -66,8 +66,8 @@ void Foam::particleCoupling::take()
         )
         {
             FatalErrorInFunction
-                << "particle " << p.tag[i] << " came with no numbers at time "
-                << session_->time() << " s: position " << p.position[i]
+                << "particle " << p.tag[i]
+                << " came with NaN or infinity at time " << session_->time() << " s: position " << p.position[i]
                 << ", velocity " << p.velocity[i] << ", impulse "
                 << p.impulse[i] << ", radius " << p.radius[i] << ", volume "
                 << p.volume[i] << ", mass " << p.mass[i] << exit(FatalError);
@@ -146,6 +146,7 @@ void Foam::particleCoupling::map()
     }
 
     solidVolume_ = volume;
+    // all ranks alike: the sum over them
     if (volume > 0)
     {
         const scalar mapped = gSum((1 - n.primitiveField())*mesh_.V());
@@ -169,6 +170,7 @@ void Foam::particleCoupling::exchangeMomentum()
     dispersedParticles& p = particles_;
     const volScalarField nuEffective(nuEff());
 
+    // all ranks alike: savedField() and the solver's call are collective
     if (!gradPSet_)
     {
         gradP_.primitiveFieldRef() = fvc::grad(p_)().primitiveField();

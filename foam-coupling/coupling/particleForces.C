@@ -111,6 +111,7 @@ void Foam::particleForces::damp
         return;
     }
 
+    // all ranks alike: made at the first exchange
     if (!sent_)
     {
         sent_.reset
@@ -149,6 +150,7 @@ void Foam::particleForces::evaluateMore
 )
 {
     vectorField vorticity;
+    // all ranks alike: what the listed forces need
     if (vorticity_)
     {
         volVectorField curl("vorticity", fvc::curl(fluid.U));
@@ -309,6 +311,7 @@ void Foam::particleForces::evaluate
     {
         anyReacting = anyReacting || force.onFluid();
     }
+    // all ranks alike: from the listed forces
     if (anyReacting)
     {
         volVectorField f(density(fluid, true));
@@ -322,6 +325,7 @@ void Foam::particleForces::evaluate
     }
     hydrostatic = hydrostaticForces(p, fluid);
 
+    // all ranks alike: what the listed forces need
     if (vorticity_ || turn_ || addedDensity_ > 0)
     {
         evaluateMore(p, fluid, fraction, nu);

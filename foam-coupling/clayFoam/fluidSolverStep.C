@@ -35,6 +35,7 @@ void Foam::fluidSolver::prepareFaces(const particleCoupling& coupling)
     // leave of it: then source, drag and grad p balance on the faces
     const particleResponse& response = coupling.response();
     left_.clear();
+    // all ranks alike: from what is stiff on any of them
     if (response.active())
     {
         left_ = 1 - response.pressure().primitiveField();

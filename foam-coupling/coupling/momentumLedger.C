@@ -257,7 +257,7 @@ Foam::scalar Foam::momentumLedger::pressureStiffness
         }
     }
     largest = returnReduce(largest, maxOp<scalar>());
-    return returnReduce(added_.size(), maxOp<label>()) ? min(largest, 1) : largest;
+    return weighted_ ? min(largest, 1) : largest;
 }
 
 

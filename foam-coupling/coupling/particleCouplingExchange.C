@@ -436,6 +436,7 @@ bool Foam::particleCoupling::next()
         judgeInterval(interval_);
 
         const volScalarField& n = history_.mapped();
+        // all ranks alike: so is each of these
         const bool stiff =
             ledger_.stiffness(n, interval_) > stiffLimit_
          || (
@@ -443,6 +444,7 @@ bool Foam::particleCoupling::next()
              && ledger_.pressureStiffness(n, interval_) > 1
             );
         late_ = stiff || !properties_.overlap();
+        // all ranks alike: the largest stiffness of all
         if (stiff)
         {
             foreseeAnswer();
@@ -471,9 +473,11 @@ void Foam::particleCoupling::solved()
 {
     checkFields();
 
+    // all ranks alike: from settings and what is stiff on any of them
     if (pending_)
     {
         forces_.velocity(particles_, U_);
+        // all ranks alike, too
         if (response_.active())
         {
             vectorField now(forces_.pressureForce(particles_, gradP_, rho_));

@@ -111,8 +111,9 @@ class Source:
         return self.code.count("\n", 0, at) + 1
 
     def declared(self):
-        """Names of functions whose comment says that they are collective, by class."""
-        names = set()
+        """Names of functions whose comment says that they are collective, by class,
+        and those of others."""
+        names, others = set(), set()
         classes = {self.path.stem, *re.findall(r"(?m)^\s*class (\w+)$", self.code)}
         for m in re.finditer(r"\b(~?\w+)\s*\(", self.code):
             start = max(self.code.rfind(c, 0, m.start()) for c in ";{}:") + 1
@@ -123,7 +124,10 @@ class Source:
                 continue
             if COLLECTIVE.search(above(self.notes, self.line(start))):
                 names |= {(c, m[1]) for c in classes}
-        return names
+            elif self.path.suffix == ".H" and not re.search(
+                    r"=|\b(?:return|new|else)\b", self.code[start:m.start()]):
+                others |= {(c, m[1]) for c in classes}
+        return names, others
 
     def violations(self, names):
         """(line, text) of each call that breaks the contract."""
@@ -181,7 +185,8 @@ class Source:
                 call = re.sub(r"\s*\($", "", m[0])
                 if pattern is own:
                     of = OBJECTS.get(m[1]) if m[1] else function[4]
-                    if (of, m[2]) not in self.known:
+                    # a name that stands for both is no sign
+                    if (of, m[2]) not in self.known - self.both:
                         continue
                     # the head's own name
                     if m[2] == function[1] and text == function[3]:
@@ -225,15 +230,17 @@ class Source:
             return True
         return COLLECTIVE.search(above(self.notes, self.line(function[2]))) is not None
 
-    known = frozenset()
+    known = both = frozenset()
 
 
 def check(sources):
-    names = set()
+    names, others = set(), set()
     for s in sources:
-        names |= s.declared()
+        declared = s.declared()
+        names |= declared[0]
+        others |= declared[1]
     for s in sources:
-        s.known = names
+        s.known, s.both = names, names & others
     return [(s.path, line, text) for s in sources for line, text in s.violations(names)]
 
 

@@ -172,6 +172,7 @@ void Foam::momentumLedger::setSources
     {
         smoothing.smooth(K_);
         smoothing.smooth(mass_);
+        // all ranks alike: from the forces that are listed
         if (weighted_)
         {
             smoothing.smooth(added_);

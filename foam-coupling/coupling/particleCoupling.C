@@ -316,6 +316,7 @@ void Foam::particleCoupling::advance()
 
     marched_ += dt;
     history_.advance(marched_/interval_ > 1 - 1e-9 ? 1 : marched_/interval_);
+    // all ranks alike: from what is stiff on any of them
     if (response_.active())
     {
         ledger_.prepare(dt, response_, startGradP_);

@@ -87,8 +87,10 @@ Foam::volVectorField Foam::particleForces::density
         zeroGradientFvPatchVectorField::typeName
     );
 
+    // all ranks alike: the listed forces, by what they are
     for (const forceModel& force : forces_)
     {
+        // all ranks alike
         if (force.onFluid() == onFluid)
         {
             force.add(fluid, f.primitiveFieldRef());
@@ -263,6 +265,7 @@ void Foam::particleForces::evaluate
     const scalarField& part
 )
 {
+    // all ranks alike: the listed forces
     for (forceModel& force : forces_)
     {
         force.prepare(fluid);
@@ -270,6 +273,7 @@ void Foam::particleForces::evaluate
     u = sample(fluid.U, p);
     scalarField fraction(sample(n, p));
     vectorField ownForce;
+    // all ranks alike: the model
     if (self_->active())
     {
         scalarField ownSolid;
@@ -346,8 +350,10 @@ Foam::tmp<Foam::vectorField> Foam::particleForces::hydrostaticForces
 ) const
 {
     vectorField one(1, Zero);
+    // all ranks alike: the listed forces, by what they are
     for (const forceModel& force : forces_)
     {
+        // all ranks alike
         if (!force.onFluid())
         {
             force.add(fluid, one);

@@ -38,7 +38,7 @@ COLLECTIVE = re.compile(r"\b[Cc]ollective\b")
 ALIKE = re.compile(
     r"!?(?:Pstream::parRun\(\)|pimple_\.\w+\(\)|(?:\w+\.)*needReference\(\)"
     r"|properties_\.\w+\(.*?\)(?: [!=]= \" *\")?|\w*[sS]moothing_?(?:\.|->)active\(\)"
-    r"|(?:faces_\.)?is ?\(.*\)|returnReduce ?\(.*\)|sumShared_?|true|case .*|runTime_\.writeTime\(\))")
+    r"|(?:faces_\.)?is ?\(.*\)|faces_\.orthogonal\(\)|smoothing|returnReduce ?\(.*\)|sumShared_?|true|case .*|runTime_\.writeTime\(\))")
 # whose functions are called through what names
 OBJECTS = {
     "ledger_": "momentumLedger", "history_": "voidFractionHistory", "forces_": "particleForces",
@@ -131,7 +131,7 @@ class Source:
 
     def violations(self, names):
         """(line, text) of each call that breaks the contract."""
-        own = re.compile(r"(?:\b(\w+)(?:\(\))?(?:\.|->))?(?<![:.>])\b(%s)\s*\("
+        own = re.compile(r"(?:\b(\w+)(?:\(\))?(?:\.|->)|(?<![:.>\w]))(%s)\s*\("
                          % "|".join(sorted({n for _, n in names}))) if names else None
         stack, start, found = [], 0, []
         depth, last = 0, {}
@@ -216,7 +216,7 @@ class Source:
         shown = re.sub(r"\s+", " ", head.strip())[:60]
         condition = re.sub(r"\s+", " ", re.sub(r"^(?:else )?(?:if|while|return)\b", "", head.strip()))
         condition = re.sub(r"^\((.*)\)$", r"\1", condition.strip()).strip()
-        if re.match(r"for \(direction \w+ = 0; \w+ < (?:3|vector::nComponents);", condition):
+        if re.match(r"for \(direction \w+ = 0; \w+ < (?:3|(?:vector|pTraits<Type>)::nComponents);", condition):
             return
         if all(ALIKE.fullmatch(term.strip()) for term in re.split(r"&&|\|\|", condition)):
             return

@@ -38,7 +38,8 @@ COLLECTIVE = re.compile(r"\b[Cc]ollective\b")
 ALIKE = re.compile(
     r"!?(?:Pstream::parRun\(\)|pimple_\.\w+\(\)|(?:\w+\.)*needReference\(\)"
     r"|properties_\.\w+\(.*?\)(?: [!=]= \" *\")?|\w*[sS]moothing_?(?:\.|->)active\(\)"
-    r"|(?:faces_\.)?is ?\(.*\)|faces_\.orthogonal\(\)|smoothing|returnReduce ?\(.*\)|sumShared_?|true|case .*|runTime_\.writeTime\(\))")
+    r"|(?:faces_\.)?is ?\(.*\)|faces_\.orthogonal\(\)|smoothing"
+    r"|returnReduce ?\(.*\)|sumShared_?|true|case .*|runTime_\.writeTime\(\))")
 # whose functions are called through what names
 OBJECTS = {
     "ledger_": "momentumLedger", "history_": "voidFractionHistory", "forces_": "particleForces",
@@ -258,6 +259,13 @@ void A::spread(volScalarField& f)
     }
 }
 """
+MODEL = """
+class smoothingModel
+{
+    //- Smooths; collective
+    void smooth(volScalarField& f) const;
+};
+"""
 BAD = {
     "its comment does not say": GOOD.replace(" Collective.", ""),
     "of which no comment says": GOOD.replace("all ranks alike", "always"),
@@ -278,6 +286,11 @@ def test():
     for words, text in BAD.items():
         said = check([Source(Path("A.C"), text.replace("smooth(f)", "reduce(x, y)"))])
         assert any(words in s[2] for s in said), (words, said)
+    # through an object of another class, which is collective by its header
+    header = Source(Path("smoothingModel.H"), MODEL)
+    call = GOOD.replace("smooth(f)", "smoothing.smooth(f)").replace("active_", "added.size()")
+    said = check([header, Source(Path("A.C"), call)])
+    assert any("smoothing.smooth behind" in s[2] for s in said), said
 
 
 def main(arguments):

@@ -8,10 +8,10 @@ d(n)/dt + div(n U) = 0 makes the left side of the momentum equation
     A U = H + F - grad p,       A' = A - Sp
 
 A: the diagonal by volume, Sp in it; H: neighbours' velocities and nOld UOld/dt.
-F - Sp U - grad p is not taken in the cells, where n and Sp jump at the edge of a
-bed: it is taken on the faces, with Sp U as (Sp/n) (n phi), since n phi is
-smooth there. S is a face's area, an index f a linear interpolation. Dividing the
-cell's equation by A' and taking it to the faces, the flux phi is
+F - Sp U - grad p is not taken in the cells, where n and Sp jump at the edge of
+a bed: it is taken on the faces, with Sp U as (Sp/n) (n phi), since n phi is
+smooth there. S is a face's area, an index f a linear interpolation. The cell's
+equation, divided by A' and taken to the faces, gives the flux
 
     phi = (H/A')_f.S + (1/A')_f [F_f.S - (Sp/n)_f n_f phi - |S| snGrad p]
 

@@ -13,8 +13,9 @@ namespace {
 /// A column cut across its middle, with spheres in its upper half only.
 CoupledRun column(const std::string& name, int ranks) {
   CoupledRun run(name + "-" + std::to_string(ranks));
-  run.box("x1 0.02; y1 0.02; z1 0.08; nx 4; ny 4; nz 16; topType patch; topU zeroGradient;"
-          "topP fixedValue; nu 1e-4;");
+  run.box(
+      "x1 0.02; y1 0.02; z1 0.08; nx 4; ny 4; nz 16; topType patch; topU zeroGradient;"
+      "topP fixedValue; nu 1e-4;");
   for (const char* from : {"1e-10", "0.01;"})
     run.edit("system/fvSolution", from, std::string(from) == "0.01;" ? "0;" : "1e-14");
   run.dem("hi", "0.02,0.02,0.08").dem("from", "0,0,0.05").dem("to", "0.02,0.02,0.07");
@@ -71,9 +72,10 @@ INSTANTIATE_TEST_SUITE_P(
 /// its sides while they are pulled along.
 CoupledRun periodicBox(const std::string& name, int ranks, const std::string& cut) {
   CoupledRun run(name + "-" + std::to_string(ranks));
-  run.box("x1 0.04; y1 0.04; z1 0.04; nx 8; ny 8; nz 8; sideType cyclic; bottomType cyclic;"
-          "topType cyclic; sideU cyclic; bottomU cyclic; topU cyclic; sideP cyclic;"
-          "bottomP cyclic; topP cyclic; nu 1e-5;");
+  run.box(
+      "x1 0.04; y1 0.04; z1 0.04; nx 8; ny 8; nz 8; sideType cyclic; bottomType cyclic;"
+      "topType cyclic; sideU cyclic; bottomU cyclic; topU cyclic; sideP cyclic;"
+      "bottomP cyclic; topP cyclic; nu 1e-5;");
   for (const char* from : {"1e-10", "0.01;"})
     run.edit("system/fvSolution", from, std::string(from) == "0.01;" ? "0;" : "1e-14");
   run.edit("system/decomposeParDict", "numberOfSubdomains  2;",

@@ -64,6 +64,7 @@ macro(clayfoam_model_tests)
   target_link_libraries(clayTestMesh PUBLIC clayCoupling GTest::gtest Eigen3::Eigen)
 
   foreach(test
+      modelCoeffs/checkedNumberTest
       dragModels/dragModelTest
       forceModels/forceModelTest
       voidFractionModels/exactOverlap/sphereFacetTest

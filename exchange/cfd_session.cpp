@@ -112,11 +112,11 @@ void CfdSession::Impl::pack(const Particles& answers, const std::vector<char>& o
   *(remote.answer.end() - 1) = late;
 }
 
-CfdSession::CfdSession(const CfdTerms& mine, const Box& rankBox) : impl_(new Impl) {
+CfdSession::CfdSession(const CfdTerms& mine, const RankBoxes& boxes) : impl_(new Impl) {
   auto& s = *impl_;
   s.terms = shakeHands(Half::cfd, encode(mine));
   s.settle();
-  sendBoxes(rankBox);
+  sendBoxes(boxes);
   s.remotes.resize(World::instance().remoteRanks().size());
   s.time = s.terms.dem.startTime;
   s.open = true;

@@ -112,4 +112,8 @@ struct Box {
   }
 };
 
+/// Where spheres concern a CFD rank: its part of the mesh, and the same moved by
+/// periods where it takes parts of spheres that reach through periodic sides.
+using RankBoxes = std::vector<Box>;
+
 }  // namespace clay

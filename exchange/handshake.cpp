@@ -24,8 +24,11 @@ std::string fromFirst(const std::string& text, int tag, const char* forWhat) {
   return text;
 }
 
-std::string pack(const Box* boxes, std::size_t n) {
-  return std::string(reinterpret_cast<const char*>(boxes), n * sizeof(Box));
+// Their number and they
+std::string pack(const RankBoxes& boxes) {
+  const std::size_t n = boxes.size();
+  return std::string(reinterpret_cast<const char*>(&n), sizeof n) +
+         std::string(reinterpret_cast<const char*>(boxes.data()), n * sizeof(Box));
 }
 
 }  // namespace
@@ -74,14 +77,14 @@ void agree(const DemTerms& dem, const CfdTerms& cfd) {
   throw Refusal(line);
 }
 
-void sendBoxes(const Box& rankBox) {
+void sendBoxes(const RankBoxes& mine) {
   const auto& world = World::instance();
   const int tag = wire::tagBoxes;
   if (world.rank() != 0) {
-    sendText(pack(&rankBox, 1), world.localRanks()[0], tag, forBoxes);
+    sendText(pack(mine), world.localRanks()[0], tag, forBoxes);
     return;
   }
-  std::string all = pack(&rankBox, 1);
+  std::string all = pack(mine);
   for (int r = 1; r < world.size(); ++r)
     all += receiveText(world.localRanks()[static_cast<std::size_t>(r)], tag, forBoxes);
   sendText(all, world.remoteRanks()[0], tag, forBoxes);
@@ -96,11 +99,18 @@ std::string receiveFromOtherHalf(int tag, const char* forWhat) {
   return fromFirst(text, tag, forWhat);
 }
 
-std::vector<Box> receiveBoxes() {
+std::vector<RankBoxes> receiveBoxes() {
   const std::string text = receiveFromOtherHalf(wire::tagBoxes, forBoxes);
-  std::vector<Box> boxes(text.size() / sizeof(Box));
-  std::memcpy(boxes.data(), text.data(), boxes.size() * sizeof(Box));
-  return boxes;
+  std::vector<RankBoxes> all;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t n = 0;
+    std::memcpy(&n, text.data() + at, sizeof n);
+    at += sizeof n;
+    all.emplace_back(n);
+    std::memcpy(all.back().data(), text.data() + at, n * sizeof(Box));
+    at += n * sizeof(Box);
+  }
+  return all;
 }
 
 FieldSet stateFields(const BothTerms& both) {

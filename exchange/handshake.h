@@ -26,10 +26,10 @@ BothTerms shakeHands(Half half, const std::string& myTerms);
 void agree(const DemTerms&, const CfdTerms&);
 
 /// CFD half: tells the DEM half every CFD rank's box.
-void sendBoxes(const Box& rankBox);
+void sendBoxes(const RankBoxes& mine);
 
 /// DEM half: the boxes of the CFD ranks, in their order.
-std::vector<Box> receiveBoxes();
+std::vector<RankBoxes> receiveBoxes();
 
 /// The first rank's text on every rank of this half.
 std::string shareText(const std::string& text);

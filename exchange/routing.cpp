@@ -22,9 +22,9 @@ double distance2(const Box& box, const double* x) {
 
 }  // namespace
 
-Routing::Routing(std::vector<Box> boxes) : boxes_(std::move(boxes)), routes_(boxes_.size()) {}
+Routing::Routing(std::vector<RankBoxes> boxes) : boxes_(std::move(boxes)), routes_(boxes_.size()) {}
 
-// CFD ranks that any of the spheres may touch
+// Boxes that any of the spheres may touch
 void Routing::chooseCandidates(const double* x, const double* r, int n) {
   Box all;
   for (int i = 0; i < n; ++i)
@@ -33,19 +33,19 @@ void Routing::chooseCandidates(const double* x, const double* r, int n) {
       all.hi[c] = std::max(all.hi[c], x[3 * i + c] + r[i]);
     }
   candidates_.clear();
-  for (std::size_t p = 0; p < boxes_.size(); ++p) {
-    bool apart = false;
-    for (int c = 0; c < 3; ++c)
-      apart = apart || boxes_[p].hi[c] < all.lo[c] || boxes_[p].lo[c] > all.hi[c];
-    if (!apart) candidates_.push_back(static_cast<int>(p));
-  }
+  for (std::size_t p = 0; p < boxes_.size(); ++p)
+    for (const Box& box : boxes_[p]) {
+      bool apart = false;
+      for (int c = 0; c < 3; ++c) apart = apart || box.hi[c] < all.lo[c] || box.lo[c] > all.hi[c];
+      if (!apart) candidates_.push_back({static_cast<int>(p), box});
+    }
 }
 
 int Routing::nearest(const double* x) const {
   int best = 0;
   double least = HUGE_VAL;
   for (std::size_t p = 0; p < boxes_.size(); ++p) {
-    const double d = distance2(boxes_[p], x);
+    const double d = boxes_[p].empty() ? HUGE_VAL : distance2(boxes_[p][0], x);
     if (d < least) {
       least = d;
       best = static_cast<int>(p);
@@ -62,8 +62,10 @@ void Routing::route(const double* x, const double* r, int n) {
   chooseCandidates(x, r, n);
   for (int i = 0; i < n; ++i) {
     touched_.clear();
-    for (int p : candidates_)
-      if (boxes_[static_cast<std::size_t>(p)].reaches(x + 3 * i, r[i])) touched_.push_back(p);
+    for (const auto& candidate : candidates_)
+      if ((touched_.empty() || touched_.back() != candidate.rank) &&
+          candidate.box.reaches(x + 3 * i, r[i]))
+        touched_.push_back(candidate.rank);
     if (touched_.empty()) touched_.push_back(nearest(x + 3 * i));
     for (int p : touched_) {
       auto& route = routes_[static_cast<std::size_t>(p)];

@@ -18,8 +18,9 @@ class Routing {
     std::vector<double> shares;  ///< index there, number of sharers, their ranks; ...
   };
 
-  /// \param boxes  of the CFD ranks [m]; a rank without cells has an empty one
-  explicit Routing(std::vector<Box> boxes = {});
+  /// \param boxes  of each CFD rank [m]: first that of its cells, empty when it
+  ///               has none, then those where a sphere reaches it by an image
+  explicit Routing(std::vector<RankBoxes> boxes = {});
 
   /// Routes n spheres with centres x [m] and radii r [m]. A sphere that touches
   /// no box goes to the nearest one, whose rank will find no cell for it.
@@ -32,9 +33,14 @@ class Routing {
   void chooseCandidates(const double* x, const double* r, int n);
   int nearest(const double* x) const;
 
-  std::vector<Box> boxes_;
+  struct Candidate {
+    int rank;
+    Box box;
+  };
+  std::vector<RankBoxes> boxes_;
   std::vector<Route> routes_;
-  std::vector<int> candidates_, touched_;
+  std::vector<Candidate> candidates_;  // in the order of the ranks
+  std::vector<int> touched_;
 };
 
 }  // namespace clay

@@ -83,8 +83,8 @@ class CfdSession {
   /// What next() brought.
   enum class Event { state, resumed, closed };
 
-  /// mine.box is the whole mesh, rankBox this rank's part of it.
-  CfdSession(const CfdTerms& mine, const Box& rankBox);
+  /// mine.box is the whole mesh; boxes begin with this rank's part of it.
+  CfdSession(const CfdTerms& mine, const RankBoxes& boxes);
   ~CfdSession();
 
   const DemTerms& remoteTerms() const;

@@ -27,7 +27,7 @@ void demHalf() {
 
 void cfdHalf() {
   const auto& world = clay::World::instance();
-  clay::CfdSession session(halves::cfdTerms(), halves::slab(world.rank(), world.size()));
+  clay::CfdSession session(halves::cfdTerms(), {halves::slab(world.rank(), world.size())});
   clay::Particles particles;
   while (session.next(particles) == clay::CfdSession::Event::state) {
     const std::size_t n = static_cast<std::size_t>(particles.size());

@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
   if (scenario == "refused") terms.endTime = halves::demTerms().endTime;
   int status = 0, k = 0;
   try {
-    clay::CfdSession session(terms, halves::slab(rank, ranks));
+    clay::CfdSession session(terms, {halves::slab(rank, ranks)});
     clay::Particles particles;
     for (bool open = true; open;) {
       switch (session.next(particles)) {

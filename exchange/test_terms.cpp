@@ -111,7 +111,7 @@ TEST(BoxTest, IsReachedBySpheresThatTouchIt) {
 }
 
 TEST(Routes, GoToEveryBoxThatIsTouchedOrToTheNearest) {
-  clay::Routing routing({halves::slab(0, 2), clay::Box(), halves::slab(1, 2)});
+  clay::Routing routing({{halves::slab(0, 2)}, {clay::Box()}, {halves::slab(1, 2)}});
   const double x[] = {0.1, 0.2, 0.2, /**/ 0.495, 0.2, 0.2, /**/ 3, 0.2, 0.2};
   const double r[] = {0.01, 0.01, 0.01};
   for (int again = 0; again < 2; ++again) {
@@ -124,6 +124,20 @@ TEST(Routes, GoToEveryBoxThatIsTouchedOrToTheNearest) {
   }
   routing.route(x, r, 0);
   EXPECT_TRUE(routing[0].particles.empty() && routing[2].particles.empty());
+}
+
+TEST(Routes, GoToRanksThatAreReachedByAnImage) {
+  // periodic in x with length 1: the last rank takes what reaches through x = 0
+  clay::Box before = halves::slab(1, 2);
+  for (double* x : {&before.lo[0], &before.hi[0]}) *x -= 1;
+  clay::Routing routing({{halves::slab(0, 2)}, {halves::slab(1, 2), before}});
+  const double x[] = {0.005, 0.2, 0.2, /**/ 0.1, 0.2, 0.2, /**/ 0.5, 0.2, 0.2, /**/ -7, 0.2, 0.2};
+  const double r[] = {0.01, 0.01, 0.01, 0.01};
+  routing.route(x, r, 4);
+  // the one nowhere goes to the rank whose cells are nearest
+  EXPECT_EQ(routing[0].particles, (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(routing[1].particles, (std::vector<int>{0, 2}));
+  EXPECT_EQ(routing[1].shares, (std::vector<double>{0, 2, 0, 1, /**/ 1, 2, 0, 1}));
 }
 
 TEST(Text, BringsTheDemTermsBackBitByBit) {

@@ -13,6 +13,14 @@ target_link_libraries(test_terms PRIVATE clay_exchange GTest::gtest_main)
 gtest_add_tests(TARGET test_terms TEST_PREFIX exchange. TEST_LIST terms_tests)
 set_tests_properties(${terms_tests} PROPERTIES TIMEOUT 20)
 
+# particles that several ranks hold
+add_executable(test_shared test_shared.cpp)
+target_link_libraries(test_shared PRIVATE clay_world clay_exchange GTest::gtest)
+add_test(NAME exchange.shared
+  COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} 3 $<TARGET_FILE:test_shared>)
+set_tests_properties(exchange.shared PROPERTIES
+  TIMEOUT 60 PROCESSORS 3 ENVIRONMENT "${CLAYFOAM_MPI_ENVIRONMENT}")
+
 # the two programs of the test runs
 foreach(half test_dem_half test_cfd_half)
   add_executable(${half} ${half}.cpp)

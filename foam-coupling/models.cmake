@@ -3,6 +3,7 @@
 # loaded: the library that holds them must be shared or an object library.
 set(CLAYFOAM_MODEL_SOURCES
   modelCoeffs/modelCoeffs.C
+  modelCoeffs/checkedNumber.C
   dispersedParticles/cellGeometry.C
   dispersedParticles/dispersedParticles.C
   voidFractionModels/voidFractionModel/voidFractionModel.C
@@ -31,7 +32,8 @@ set(CLAYFOAM_MODEL_SOURCES
   selfDisturbanceModels/none/noSelfDisturbance.C
   selfDisturbanceModels/latticeMemory/latticeResponse.C
   selfDisturbanceModels/latticeMemory/disturbanceHistory.C
-  selfDisturbanceModels/latticeMemory/latticeMemory.C)
+  selfDisturbanceModels/latticeMemory/latticeMemory.C
+  dispersedParticles/handOver.C)
 
 set(CLAYFOAM_MODEL_INCLUDE_DIRS
   modelCoeffs dispersedParticles
@@ -62,6 +64,7 @@ macro(clayfoam_model_tests)
   target_link_libraries(clayTestMesh PUBLIC clayCoupling GTest::gtest Eigen3::Eigen)
 
   foreach(test
+      modelCoeffs/checkedNumberTest
       dragModels/dragModelTest
       forceModels/forceModelTest
       voidFractionModels/exactOverlap/sphereFacetTest
@@ -71,12 +74,21 @@ macro(clayfoam_model_tests)
       smoothingModels/smoothingModelTest
       selfDisturbanceModels/selfDisturbanceTest
       coupling/leftOutTest
+      coupling/momentumLedgerTest
+      coupling/voidFractionHistoryTest
+      coupling/particleForcesTest
       coupling/particleResponseTest)
     get_filename_component(name ${test} NAME)
     add_executable(${name} ${CLAYFOAM_MODEL_DIR}/${test}.C ${environment})
     target_link_libraries(${name} PRIVATE clayTestMesh)
     add_test(NAME ${name} COMMAND ${name})
   endforeach()
+
+  # no collective call behind what ranks may see differently
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  add_test(NAME collectives
+    COMMAND Python3::Interpreter ${CLAYFOAM_MODEL_DIR}/tests/collectives.py)
+  set_tests_properties(collectives PROPERTIES TIMEOUT 60)
 
   # the solver's own operators
   add_executable(faceOperatorsTest

@@ -26,7 +26,7 @@ const clay::Half clay::programHalf = clay::Half::cfd;
 namespace Foam
 {
 
-//- Marches with the DEM half until the coupled run is over
+//- Marches with the DEM half until the coupled run is over; collective
 static void march(const argList& args)
 {
     Time runTime(Time::controlDictName, args);
@@ -57,6 +57,7 @@ static void march(const argList& args)
         written = true;
     };
 
+    // all ranks alike: they hear the same
     while (coupling.next())
     {
         if (due)

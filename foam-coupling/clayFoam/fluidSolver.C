@@ -83,6 +83,7 @@ Foam::label Foam::fluidSolver::subSteps(const scalar interval) const
     const dictionary& dict = runTime_.controlDict();
     scalar dt = dict.get<scalar>("deltaT");
 
+    // all ranks alike: read from controlDict
     if (adjusts(dict))
     {
         dt = min
@@ -112,6 +113,7 @@ Foam::label Foam::fluidSolver::subSteps(const scalar interval) const
 bool Foam::fluidSolver::oneStep(const scalar time) const
 {
     const dictionary& dict = runTime_.controlDict();
+    // all ranks alike: settings
     return
         quiet_->active() && adjusts(dict)
      && time <= dict.lookupOrDefault<scalar>("maxDeltaT", GREAT)
@@ -234,6 +236,7 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
     const scalar interval = coupling.interval();
     bool writeDue = false;
 
+    // all ranks alike: the number of this call
     if (fresh_)
     {
         // first interval: n is that of the start
@@ -267,7 +270,9 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
 
     // a flow that grows within the interval gets shorter steps at once
     scalar left = interval, time = 0;
+    // all ranks alike: late() and the number of steps are collective
     label n = quiet_->late() > 0 ? 1 : subSteps(left);
+    // all ranks alike
     while (n > 0)
     {
         scalar dt = left/n;
@@ -289,6 +294,7 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
             runTime_.setDeltaT(dt, false);
         }
         coupling.advance();
+        // all ranks alike: settings, times, and what is collective itself
         if
         (
             !coupling.properties().frozenFluid()
@@ -305,6 +311,7 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
             ++coupling.statistics().quietIntervals;
             return false;
         }
+        // all ranks alike: a setting
         if (!coupling.properties().frozenFluid())
         {
             // the iterations of PIMPLE are said only when asked for
@@ -321,6 +328,7 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
             courantRate()*dt
         );
         time += dt;
+        // all ranks alike
         n = n > 1 ? subSteps(left) : 0;
         writeDue = runTime_.writeTime() || writeDue;
     }

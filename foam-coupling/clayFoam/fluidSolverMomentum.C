@@ -181,6 +181,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fluidSolver::momentum
                 share.boundaryField()[patchi]*tnu().boundaryField()[patchi];
         }
     }
+    // all ranks alike: schemes
     if (plainStress())
     {
         addStress(UEqn);

@@ -1,5 +1,47 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
+/*---------------------------------------------------------------------------*\
+The discrete equations. With the sums of flux over a cell's faces written out,
+d(n)/dt + div(n U) = 0 makes the left side of the momentum equation
+(n U - nOld UOld)/dt + div(n U U), so that a cell has
+
+    A U = H + F - grad p,       A' = A - Sp
+
+A: the diagonal by volume, Sp in it; H: neighbours' velocities and nOld UOld/dt.
+F - Sp U - grad p is not taken in the cells, where n and Sp jump at the edge of
+a bed: it is taken on the faces, with Sp U as (Sp/n) (n phi), since n phi is
+smooth there. S is a face's area, an index f a linear interpolation. The cell's
+equation, divided by A' and taken to the faces, gives the flux
+
+    phi = (H/A')_f.S + (1/A')_f [F_f.S - (Sp/n)_f n_f phi - |S| snGrad p]
+
+in which UOld's part of H is replaced by the flux of the step before (freeFlux):
+(nOld/(dt A'))_f (phiOld - UOld_f.S) is added. Solved for phi,
+
+    phi = y {(H/A')_f.S + ...} + rD [F_f.S - |S| snGrad p]
+    y = 1/(1 + (1/A')_f (Sp/n)_f n_f),      rD = (1/A')_f y
+
+    yieldFaces_: y      rDFaces_: rD     dragFaces_: (Sp/n)_f
+    sourceFaces_: F_f.S     inertiaFaces_: (nOld/(dt A'))_f phiOld
+
+y is what the drag leaves of a flux: 1 without particles, 0 where they hold the
+fluid. Continuity, sum(n_f phi) = -V d(n)/dt, is the equation of p,
+
+    sum(n_f rD |S| snGrad p) = sum(n_f phi*) + V d(n)/dt
+
+phi* being phi without p. Back in the cells (balanced), with R the vectors that
+have these fluxes on the faces of a cell (faceOperators::reconstruct),
+
+    A U = H + R[F_f.S - (Sp/n)_f n_f phi - |S| snGrad p] + (Sp/n) R[n_f phi]
+
+so that what balances on the faces leaves nothing in the cells.
+
+Where the particles' answer is foreseen (particleResponse) they take a part of
+grad p, which leaves l = 1 - pressure of it: F, Sp and A' are divided by l
+ahead of the faces, and R[...] is multiplied by it. Their own flux goes with the
+fluid's: the flux through a face is s phi + a - m |S| snGrad p, s = n_f + share.
+\*---------------------------------------------------------------------------*/
+
 #include "fluidSolver.H"
 
 #include "fixedFluxExtrapolatedPressureFvPatchScalarField.H"
@@ -130,10 +172,12 @@ void Foam::fluidSolver::freeFlux
             yieldFaces_[f]*(flux[f] + inertiaFaces_[f])
           + rDFaces_[f]*source[f];
     }
-    faces_.patches([&](const label patchi, const fvPatch& patch)
+    // also on ranks that hold no face of the patch: it must be told
+    forAll(mesh_.boundary(), patchi)
     {
         if (carries(patchi))
         {
+            const fvPatch& patch = mesh_.boundary()[patchi];
             scalarField slope(patch.size());
             forAll(slope, i)
             {
@@ -149,7 +193,7 @@ void Foam::fluidSolver::freeFlux
                 p_.boundaryFieldRef()[patchi]
             ).updateSnGrad(slope);
         }
-    });
+    }
 
     // n times it, and what the particles do with it
     forAll(flux, f)

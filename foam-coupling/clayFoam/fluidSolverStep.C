@@ -35,6 +35,7 @@ void Foam::fluidSolver::prepareFaces(const particleCoupling& coupling)
     // leave of it: then source, drag and grad p balance on the faces
     const particleResponse& response = coupling.response();
     left_.clear();
+    // all ranks alike: from what is stiff on any of them
     if (response.active())
     {
         left_ = 1 - response.pressure().primitiveField();
@@ -341,10 +342,12 @@ void Foam::fluidSolver::step(particleCoupling& coupling, const scalar part)
         }
 
         prepareCorrectors(coupling, UEqn);
+        // all ranks alike: a setting
         const scalar spread = correctorTolerance_ > 0 ? neighbours(UEqn) : 0;
         bool enough = false;
         while (pimple_.correct())
         {
+            // all ranks alike: settled() is collective
             if (enough)
             {
                 continue;
@@ -356,6 +359,7 @@ void Foam::fluidSolver::step(particleCoupling& coupling, const scalar part)
             correctPressure(coupling, ddtN, UEqn);
             coupling.checkFields();
             fvOptions.correct(U_);
+            // all ranks alike: a setting
             enough = correctorTolerance_ > 0 && settled(before, spread);
             ++correctors_;
         }

@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "couplingProperties.H"
+#include "checkedNumber.H"
 
 #include "OStringStream.H"
 #include "dragModel.H"
@@ -328,38 +329,31 @@ Foam::couplingProperties::couplingProperties(const Time& runTime)
         {"mapped", "cell", "cellPoint"}
     );
 
-    const scalar least = take<scalar>("voidFractionMin", 0.2);
-    if (!(least > 0 && least < 1))
-    {
-        FatalIOErrorInFunction(*this)
-            << "voidFractionMin " << least << " must lie between 0 and 1"
-            << exit(FatalIOError);
-    }
+    // the void fraction model reads and checks it
+    take<scalar>("voidFractionMin", 0.2);
 
-    keepMapping_ = take<scalar>("keepMapping", 1e-12);
-    if (!(keepMapping_ >= 0 && keepMapping_ <= 0.1))
-    {
-        FatalIOErrorInFunction(*this)
-            << "keepMapping " << keepMapping_ << " must lie between 0 and 0.1"
-            << " radii" << exit(FatalIOError);
-    }
-    quietFluid_ = take<scalar>("quietFluid", 1e-4);
-    if (!(quietFluid_ >= 0 && quietFluid_ <= 0.1))
-    {
-        FatalIOErrorInFunction(*this)
-            << "quietFluid " << quietFluid_ << " must lie between 0 and 0.1"
-            << " of the largest speed" << exit(FatalIOError);
-    }
+    keepMapping_ = numberFrom
+    (
+        *this, "keepMapping", take<scalar>("keepMapping", 1e-12), 0, 0.1,
+        " radii"
+    );
+    quietFluid_ = numberFrom
+    (
+        *this, "quietFluid", take<scalar>("quietFluid", 1e-4), 0, 0.1,
+        " of the largest speed"
+    );
 
     allowNoBuoyancy_ = take<Switch>("allowNoBuoyancy", Switch(false));
     verbose_ = take<Switch>("verbose", Switch(false));
 
-    interval_ = lookupOrDefault<scalar>("couplingInterval", 0);
-    if (found("couplingInterval") && !(interval_ > 0))
+    interval_ = 0;
+    if (found("couplingInterval"))
     {
-        FatalIOErrorInFunction(*this)
-            << "couplingInterval " << interval_ << " must be positive [s];"
-            << " leave it out to follow the DEM half" << exit(FatalIOError);
+        interval_ = numberAbove
+        (
+            *this, "couplingInterval", get<scalar>("couplingInterval"), 0,
+            " s; leave it out to follow the DEM half"
+        );
     }
 }
 

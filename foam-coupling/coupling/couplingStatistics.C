@@ -79,6 +79,7 @@ static nlohmann::json toJson(const dictionary& dict)
 }
 
 
+//- Of all ranks the largest. Collective.
 static scalar most(scalar value)
 {
     return returnReduce(value, maxOp<scalar>());

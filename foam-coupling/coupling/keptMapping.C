@@ -7,8 +7,6 @@
 Foam::keptMapping::keptMapping(const scalar distance)
 :
     distance_(distance),
-    last_(),
-    moved_(),
     known_(false)
 {}
 
@@ -17,7 +15,7 @@ Foam::keptMapping::keptMapping(const scalar distance)
 
 void Foam::keptMapping::restore(dispersedParticles& p)
 {
-    known_ = distance_ > 0 && last_.size() == p.size();
+    known_ = distance_ > 0 && tag_.size() == p.size();
     DynamicList<label> moved(p.size());
 
     for (label i = 0; i < p.size(); ++i)
@@ -25,11 +23,11 @@ void Foam::keptMapping::restore(dispersedParticles& p)
         if
         (
             !known_
-         || last_.tag[i] != p.tag[i]
-         || last_.radius[i] != p.radius[i]
-         || last_.volume[i] != p.volume[i]
-         || magSqr(last_.position[i] - p.position[i])
-          > sqr(max(distance_*p.radius[i], last_.slack[i]))
+         || tag_[i] != p.tag[i]
+         || radius_[i] != p.radius[i]
+         || volume_[i] != p.volume[i]
+         || magSqr(position_[i] - p.position[i])
+          > sqr(max(distance_*p.radius[i], mapping_.slack[i]))
         )
         {
             moved.append(i);
@@ -39,13 +37,7 @@ void Foam::keptMapping::restore(dispersedParticles& p)
 
     if (known_ && moved_.size() < p.size())
     {
-        p.cell = last_.cell;
-        p.outside = last_.outside;
-        p.owned = last_.owned;
-        p.slack = last_.slack;
-        p.offset = last_.offset;
-        p.cellIndex = last_.cellIndex;
-        p.weight = last_.weight;
+        static_cast<particleMapping&>(p) = mapping_;
     }
 }
 
@@ -56,29 +48,17 @@ void Foam::keptMapping::keep(const dispersedParticles& p)
     {
         return;
     }
-    if (allMoved(p))
+
+    position_.setSize(p.size());
+    radius_.setSize(p.size());
+    volume_.setSize(p.size());
+    tag_.setSize(p.size());
+    for (const label i : moved_)
     {
-        last_.setSize(p.size());
-        last_.position = p.position;
-        last_.radius = p.radius;
-        last_.volume = p.volume;
-        last_.tag = p.tag;
+        position_[i] = p.position[i];
+        radius_[i] = p.radius[i];
+        volume_[i] = p.volume[i];
+        tag_[i] = p.tag[i];
     }
-    else
-    {
-        for (const label i : moved_)
-        {
-            last_.position[i] = p.position[i];
-            last_.radius[i] = p.radius[i];
-            last_.volume[i] = p.volume[i];
-            last_.tag[i] = p.tag[i];
-        }
-    }
-    last_.cell = p.cell;
-    last_.outside = p.outside;
-    last_.owned = p.owned;
-    last_.slack = p.slack;
-    last_.offset = p.offset;
-    last_.cellIndex = p.cellIndex;
-    last_.weight = p.weight;
+    mapping_ = p;
 }

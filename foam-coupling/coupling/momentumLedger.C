@@ -55,13 +55,20 @@ void Foam::momentumLedger::smooth
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::momentumLedger::momentumLedger(const fvMesh& mesh, const scalar rho)
+Foam::momentumLedger::momentumLedger
+(
+    const fvMesh& mesh,
+    const scalar rho,
+    const bool weighted
+)
 :
     mesh_(mesh),
     rho_(rho),
+    weighted_(weighted),
     K_(mesh.nCells(), Zero),
     mass_(mesh.nCells(), Zero),
     reaction_(mesh.nCells(), Zero),
+    added_(weighted ? mesh.nCells() : 0, Zero),
     velocity_(mesh.nCells(), Zero),
     owed_
     (
@@ -150,15 +157,13 @@ void Foam::momentumLedger::setSources
 {
     spread(p, K, K_);
     spread(p, p.mass, mass_);
-    if (added.size())
+    if (weighted_)
     {
-        added_.setSize(mass_.size());
         spread(p, added, added_);
         spread(p, vectorField(p.mass/(p.mass + added)*force), reaction_);
     }
     else
     {
-        added_ = Zero;
         spread(p, force, reaction_);
     }
     spread(p, vectorField(K*velocity), velocity_);
@@ -167,7 +172,8 @@ void Foam::momentumLedger::setSources
     {
         smoothing.smooth(K_);
         smoothing.smooth(mass_);
-        if (added_.size())
+        // all ranks alike: from the forces that are listed
+        if (weighted_)
         {
             smoothing.smooth(added_);
         }
@@ -265,7 +271,7 @@ Foam::scalar Foam::momentumLedger::pressureStiffness
         }
     }
     largest = returnReduce(largest, maxOp<scalar>());
-    return returnReduce(added_.size(), maxOp<label>()) ? min(largest, 1) : largest;
+    return weighted_ ? min(largest, 1) : largest;
 }
 
 

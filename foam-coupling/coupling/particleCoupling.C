@@ -1,6 +1,9 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "particleCoupling.H"
+#include "checkedNumber.H"
+
+#include "savedField.H"
 
 #include "OStringStream.H"
 #include "fvc.H"
@@ -22,14 +25,10 @@ static scalar property
     const dimensionSet& dims
 )
 {
-    const scalar value = dimensionedScalar(name, dims, dict).value();
-    if (!(value > 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << name << ' ' << value << " must be above 0"
-            << exit(FatalIOError);
-    }
-    return value;
+    return numberAbove
+    (
+        dict, name, dimensionedScalar(name, dims, dict).value(), 0
+    );
 }
 
 
@@ -45,21 +44,28 @@ static clay::Box box(const boundBox& bounds)
 }
 
 
-static bool saved(const fvMesh& mesh, const word& field)
-{
-    return IOobject
-    (
-        field,
-        mesh.time().timeName(),
-        mesh,
-        IOobject::READ_IF_PRESENT
-    ).typeHeaderOk<volVectorField>(true);
-}
-
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+clay::RankBoxes Foam::particleCoupling::boxes() const
+{
+    const boundBox mine(mesh_.points(), false);
+    clay::RankBoxes all{box(mine)};
+
+    // a lone rank gets all particles, and finds their images itself
+    if (Pstream::parRun() && mesh_.nCells())
+    {
+        for (const vector& way : mapping_->images())
+        {
+            all.push_back(box(boundBox(mine.min() - way, mine.max() - way)));
+        }
+    }
+    return all;
+}
+
+
 
 Foam::voidFractionModel::sharedSum Foam::particleCoupling::sharedSum()
 {
@@ -230,7 +236,7 @@ Foam::particleCoupling::particleCoupling
             properties_.has("pressureGradient")
         }
     ),
-    ledger_(mesh_, rho_),
+    ledger_(mesh_, rho_, forces_.addedDensity() > 0),
     response_(mesh_, rho_),
     history_(U_),
     gradP_
@@ -247,7 +253,7 @@ Foam::particleCoupling::particleCoupling
         dimensionedVector(dimAcceleration, Zero),
         zeroGradientFvPatchVectorField::typeName
     ),
-    gradPSet_(saved(mesh_, "gradp")),
+    gradPSet_(savedField<volVectorField>(mesh_, "gradp")),
     stressFraction_
     (
         IOobject("stressFraction", mesh_.time().timeName(), mesh_),
@@ -288,18 +294,17 @@ Foam::particleCoupling::particleCoupling
             << properties_.defaults().c_str() << endl;
     }
 
-    session_.reset
-    (
-        new clay::CfdSession
-        (
-            terms(),
-            box(boundBox(mesh_.points(), false))
-        )
-    );
+    session_.reset(new clay::CfdSession(terms(), boxes()));
     received_ = clay::Particles(session_->receives());
     answers_ = clay::Particles(session_->sends());
 
     checkBuoyancy();
+
+    // what is read where it is there: on all ranks or on none
+    for (const word& name : {"couplingImpulse", "DUDt", "particleForceSent"})
+    {
+        savedField<volVectorField>(mesh_, name);
+    }
 }
 
 
@@ -311,6 +316,7 @@ void Foam::particleCoupling::advance()
 
     marched_ += dt;
     history_.advance(marched_/interval_ > 1 - 1e-9 ? 1 : marched_/interval_);
+    // all ranks alike: from what is stiff on any of them
     if (response_.active())
     {
         ledger_.prepare(dt, response_, startGradP_);
@@ -361,8 +367,8 @@ void Foam::particleCoupling::checkFields() const
         if (!std::isfinite(u.x() + u.y() + u.z() + p_[celli]))
         {
             OStringStream os;
-            os  << "the fluid is no number at time " << mesh_.time().value()
-                << " s, cell " << celli << " at " << mesh_.C()[celli]
+            os  << "the fluid is NaN or infinite at time "
+                << mesh_.time().value() << " s, cell " << celli << " at " << mesh_.C()[celli]
                 << " m: U " << u << ", p " << p_[celli]
                 << "; a smaller maxCo or deltaT may help";
             found[Pstream::myProcNo()] = os.str();

@@ -66,8 +66,8 @@ void Foam::particleCoupling::take()
         )
         {
             FatalErrorInFunction
-                << "particle " << p.tag[i] << " came with no numbers at time "
-                << session_->time() << " s: position " << p.position[i]
+                << "particle " << p.tag[i]
+                << " came with NaN or infinity at time " << session_->time() << " s: position " << p.position[i]
                 << ", velocity " << p.velocity[i] << ", impulse "
                 << p.impulse[i] << ", radius " << p.radius[i] << ", volume "
                 << p.volume[i] << ", mass " << p.mass[i] << exit(FatalError);
@@ -146,6 +146,7 @@ void Foam::particleCoupling::map()
     }
 
     solidVolume_ = volume;
+    // all ranks alike: the sum over them
     if (volume > 0)
     {
         const scalar mapped = gSum((1 - n.primitiveField())*mesh_.V());
@@ -169,6 +170,7 @@ void Foam::particleCoupling::exchangeMomentum()
     dispersedParticles& p = particles_;
     const volScalarField nuEffective(nuEff());
 
+    // all ranks alike: savedField() and the solver's call are collective
     if (!gradPSet_)
     {
         gradP_.primitiveFieldRef() = fvc::grad(p_)().primitiveField();
@@ -437,6 +439,7 @@ bool Foam::particleCoupling::next()
         judgeInterval(interval_);
 
         const volScalarField& n = history_.mapped();
+        // all ranks alike: so is each of these
         const bool stiff =
             ledger_.stiffness(n, interval_) > stiffLimit_
          || (
@@ -444,6 +447,7 @@ bool Foam::particleCoupling::next()
              && ledger_.pressureStiffness(n, interval_) > 1
             );
         late_ = stiff || !properties_.overlap();
+        // all ranks alike: the largest stiffness of all
         if (stiff)
         {
             foreseeAnswer();
@@ -472,9 +476,11 @@ void Foam::particleCoupling::solved()
 {
     checkFields();
 
+    // all ranks alike: from settings and what is stiff on any of them
     if (pending_)
     {
         forces_.velocity(particles_, U_);
+        // all ranks alike, too
         if (response_.active())
         {
             vectorField now(forces_.pressureForce(particles_, gradP_, rho_));

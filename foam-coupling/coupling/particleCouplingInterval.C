@@ -46,7 +46,7 @@ void Foam::particleCoupling::foretell(const scalar interval)
     {
         Info<< "clayFoam: warning: a particle that settles by itself crosses "
             << crossing << " cells in the coupling interval of " << interval
-            << " s; " << interval/crossing << " s would be one" << endl;
+            << " s; with " << interval/crossing << " s it is one" << endl;
     }
 }
 
@@ -56,6 +56,7 @@ void Foam::particleCoupling::judgeInterval(const scalar interval)
     const dispersedParticles& p = particles_;
     const scalarField& K = forces_.K;
 
+    // all ranks alike: each counts every exchange
     if (stats_.exchanges == 1)
     {
         foretell(interval);

@@ -87,8 +87,10 @@ Foam::volVectorField Foam::particleForces::density
         zeroGradientFvPatchVectorField::typeName
     );
 
+    // all ranks alike: the listed forces, by what they are
     for (const forceModel& force : forces_)
     {
+        // all ranks alike
         if (force.onFluid() == onFluid)
         {
             force.add(fluid, f.primitiveFieldRef());
@@ -111,6 +113,7 @@ void Foam::particleForces::damp
         return;
     }
 
+    // all ranks alike: made at the first exchange
     if (!sent_)
     {
         sent_.reset
@@ -129,15 +132,11 @@ void Foam::particleForces::damp
             )
         );
     }
-    else if (part.size())
+    else
     {
         vectorField& f = sent_->primitiveFieldRef();
         f += part*(density.primitiveField() - f);
         sent_->correctBoundaryConditions();
-    }
-    else
-    {
-        *sent_ == density;
     }
 
     density == *sent_;
@@ -153,6 +152,7 @@ void Foam::particleForces::evaluateMore
 )
 {
     vectorField vorticity;
+    // all ranks alike: what the listed forces need
     if (vorticity_)
     {
         volVectorField curl("vorticity", fvc::curl(fluid.U));
@@ -265,6 +265,7 @@ void Foam::particleForces::evaluate
     const scalarField& part
 )
 {
+    // all ranks alike: the listed forces
     for (forceModel& force : forces_)
     {
         force.prepare(fluid);
@@ -272,6 +273,7 @@ void Foam::particleForces::evaluate
     u = sample(fluid.U, p);
     scalarField fraction(sample(n, p));
     vectorField ownForce;
+    // all ranks alike: the model
     if (self_->active())
     {
         scalarField ownSolid;
@@ -313,6 +315,7 @@ void Foam::particleForces::evaluate
     {
         anyReacting = anyReacting || force.onFluid();
     }
+    // all ranks alike: from the listed forces
     if (anyReacting)
     {
         volVectorField f(density(fluid, true));
@@ -326,6 +329,7 @@ void Foam::particleForces::evaluate
     }
     hydrostatic = hydrostaticForces(p, fluid);
 
+    // all ranks alike: what the listed forces need
     if (vorticity_ || turn_ || addedDensity_ > 0)
     {
         evaluateMore(p, fluid, fraction, nu);
@@ -346,8 +350,10 @@ Foam::tmp<Foam::vectorField> Foam::particleForces::hydrostaticForces
 ) const
 {
     vectorField one(1, Zero);
+    // all ranks alike: the listed forces, by what they are
     for (const forceModel& force : forces_)
     {
+        // all ranks alike
         if (!force.onFluid())
         {
             force.add(fluid, one);

@@ -2,6 +2,8 @@
 
 #include "voidFractionHistory.H"
 
+#include "savedField.H"
+
 #include "calculatedFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvc.H"
@@ -48,18 +50,6 @@ void Foam::voidFractionHistory::particleFlux
     flux.correctBoundaryConditions();
 
     ddt_ = fvc::div(fvc::interpolate(flux, "interpolate(U)") & mesh_.Sf());
-}
-
-
-bool Foam::voidFractionHistory::saved(const fvMesh& mesh)
-{
-    return IOobject
-    (
-        "voidfraction",
-        mesh.time().timeName(),
-        mesh,
-        IOobject::READ_IF_PRESENT
-    ).typeHeaderOk<volScalarField>(true);
 }
 
 
@@ -116,7 +106,7 @@ Foam::voidFractionHistory::voidFractionHistory(const volVectorField& U)
         dimensionedScalar(dimless/dimTime, Zero),
         calculatedFvPatchScalarField::typeName
     ),
-    fresh_(!saved(mesh_)),
+    fresh_(!savedField<volScalarField>(mesh_, "voidfraction")),
     lastInterval_(0),
     solidVolume_(-1)
 {}
@@ -145,6 +135,7 @@ bool Foam::voidFractionHistory::begin
     const scalar share = lastInterval_ > 0 ? min(1.0, T/lastInterval_) : 1;
     end_ = start_ + share*(mapped - start_);
 
+    // all ranks alike: a setting
     switch (ddt)
     {
         case couplingProperties::ddtType::difference:

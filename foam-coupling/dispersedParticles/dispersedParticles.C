@@ -52,6 +52,8 @@ void Foam::dispersedParticles::setSize(const label n)
     offset = 0;
     cellIndex.clear();
     weight.clear();
+    divisor.setSize(n);
+    divisor = 1;
 }
 
 

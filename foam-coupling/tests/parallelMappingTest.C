@@ -6,7 +6,10 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
+#include "handOver.H"
+#include "keptMapping.H"
 #include "mathematicalConstants.H"
+#include "selfDisturbanceModel.H"
 #include "smoothingModel.H"
 #include "testMesh.H"
 #include "voidFractionModel.H"
@@ -279,4 +282,148 @@ TEST(parallelMapping, smoothingAcrossRanks)
     EXPECT_LT(max(mag(results[0] - results[1])), 1e-9);
     EXPECT_LT(max(mag(results[0] - results[2])), 1e-9);
     EXPECT_GT(max(results[0]), 1e-3);
+}
+
+
+// what one rank has kept and another maps anew is what both map anew, also of
+// spheres that reach out of the mesh
+TEST(parallelMapping, keptOnSomeRanks)
+{
+    const test::meshCase c(mesh(chess));
+    for (const char* name : {"centre", "divided", "exactOverlap"})
+    {
+        auto m = voidFractionModel::New
+        (
+            test::settings(std::string("voidFractionModel ") + name + ";"),
+            c.mesh()
+        );
+        volScalarField n(c.field("n")), full(c.field("full"));
+        autoPtr<keptMapping> kept(new keptMapping(1e-12));
+        for (const bool again : {false, true})
+        {
+            dispersedParticles p;
+            fill(p, 300, false);
+            if (again && Pstream::myProcNo() > 0)
+            {
+                // this rank's list was another one
+                kept.reset(new keptMapping(1e-12));
+            }
+            kept->restore(p);
+            EXPECT_EQ
+            (
+                kept->moved().size(),
+                again && Pstream::myProcNo() == 0 ? 0 : 300
+            );
+            p.locate(c.mesh());
+            own(p, c.mesh());
+            m->map
+            (
+                p, sumOverRanks, again ? n : full, nullptr,
+                kept->allMoved(p) ? nullptr : &kept->moved()
+            );
+            kept->keep(p);
+        }
+        EXPECT_LT
+        (
+            gMax(mag(n.primitiveField() - full.primitiveField())()), 1e-13
+        )   << name;
+    }
+}
+
+
+// every tag's numbers come to its new owner, and nothing else does
+TEST(parallelMapping, numbersAreHandedOver)
+{
+    const label ranks = Pstream::nProcs(), me = Pstream::myProcNo();
+    const auto numbers = [](const label tag)
+    {
+        std::vector<scalar> x(tag % 5);
+        for (size_t k = 0; k < x.size(); ++k)
+        {
+            x[k] = 1.0/3*tag + k;
+        }
+        return x;
+    };
+    // all from the first rank to the last, and around; none from the last
+    for (const label by : {ranks - 1, label(1), label(0)})
+    {
+        particleNumbers given;
+        DynamicList<label> wanted;
+        label expected = 0;
+        for (label tag = 1; tag < 200; ++tag)
+        {
+            const label from = by ? tag/7 % ranks : 0;
+            if (from == me && tag % 11)
+            {
+                given[tag] = numbers(tag);
+            }
+            if ((from + by) % ranks == me && tag % 3)
+            {
+                wanted.append(tag);
+                expected += tag % 11 != 0;
+            }
+        }
+        const particleNumbers got(handOver(given, wanted));
+        EXPECT_EQ(label(got.size()), expected) << by;
+        for (const auto& one : got)
+        {
+            EXPECT_EQ(one.second, numbers(one.first));
+            EXPECT_TRUE(wanted.found(one.first));
+        }
+    }
+}
+
+
+// a particle's history goes with it from rank to rank
+TEST(parallelMapping, historiesGoAlong)
+{
+    const scalar nu = 0.5, rho = 2, T = 0.02*sqr(0.002)/nu;
+    vector result[2];
+    for (const layout how : {chess, lopsided})
+    {
+        const test::meshCase c(mesh(how));
+        autoPtr<selfDisturbanceModel> model
+        (
+            selfDisturbanceModel::New
+            (
+                test::settings("selfDisturbance latticeMemory;"),
+                {c.mesh(), "exactOverlap", "mapped", nu, rho, 0, 0, true}
+            )
+        );
+        dispersedParticles p;
+        label owners = 0;
+        for (label k = 0; k < 40; ++k)
+        {
+            p.setSize(1);
+            p.radius = 4e-4;
+            p.volume = 1e-12;
+            p.mass = 1;
+            p.tag = 7;
+            // through several cells
+            p.position[0] = point(3e-3 + 3e-4*k, 9e-3, 9.3e-3);
+            p.locate(c.mesh());
+            own(p, c.mesh());
+            p.impulse = k > 0 ? vector(0, 0, -3*T) : vector::zero;
+            vectorField velocity, force;
+            scalarField solid;
+            model->evaluate
+            (
+                p, T, vectorField(1, Zero), scalarField(1, 1.0),
+                velocity, solid, force
+            );
+            model->sent(p, scalarField(1, 0.0), vectorField(1, Zero));
+            owners += p.owned[0];
+            result[how == lopsided] =
+                returnReduce
+                (
+                    p.owned[0] ? velocity[0] : vector(Zero), sumOp<vector>()
+                );
+        }
+        if (how == chess)
+        {
+            EXPECT_GT(owners, 5);
+        }
+    }
+    EXPECT_GT(mag(result[1]), 0);
+    EXPECT_LT(mag(result[0] - result[1]), 1e-12*mag(result[1]));
 }

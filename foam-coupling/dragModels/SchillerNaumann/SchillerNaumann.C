@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "SchillerNaumann.H"
+#include "checkedNumber.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -22,13 +23,10 @@ Foam::dragModels::SchillerNaumann::SchillerNaumann(const dictionary& dict)
     dragModel(dict, typeName, {"newtonCd"}),
     newtonCd_(coeffs_.lookupOrDefault<scalar>("newtonCd", 0.44))
 {
-    if (newtonCd_ <= 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "SchillerNaumannCoeffs: newtonCd " << newtonCd_
-            << " should be above 0, such as 0.44"
-            << exit(FatalIOError);
-    }
+    numberAbove
+    (
+        dict, "SchillerNaumannCoeffs: newtonCd", newtonCd_, 0, ", such as 0.44"
+    );
 }
 
 

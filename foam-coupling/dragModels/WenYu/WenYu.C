@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "WenYu.H"
+#include "checkedNumber.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -23,20 +24,14 @@ Foam::dragModels::WenYu::WenYu(const dictionary& dict)
     exponent_(coeffs_.lookupOrDefault<scalar>("exponent", -2.65)),
     newtonCd_(coeffs_.lookupOrDefault<scalar>("newtonCd", 0.44))
 {
-    if (newtonCd_ <= 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "WenYuCoeffs: newtonCd " << newtonCd_
-            << " should be above 0, such as 0.44"
-            << exit(FatalIOError);
-    }
-    if (exponent_ > 0 || exponent_ < -10)
-    {
-        FatalIOErrorInFunction(dict)
-            << "WenYuCoeffs: exponent " << exponent_
-            << " should be from -10 to 0, such as -2.65"
-            << exit(FatalIOError);
-    }
+    numberAbove
+    (
+        dict, "WenYuCoeffs: newtonCd", newtonCd_, 0, ", such as 0.44"
+    );
+    numberFrom
+    (
+        dict, "WenYuCoeffs: exponent", exponent_, -10, 0, ", such as -2.65"
+    );
 }
 
 

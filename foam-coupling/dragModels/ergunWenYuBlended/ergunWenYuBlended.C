@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "ergunWenYuBlended.H"
+#include "checkedNumber.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -22,13 +23,8 @@ Foam::dragModels::ergunWenYuBlended::ergunWenYuBlended(const dictionary& dict)
     ergunWenYu(dict, typeName, {"width"}),
     width_(coeffs_.lookupOrDefault<scalar>("width", 0.1))
 {
-    if (width_ <= 0 || width_ > 0.4)
-    {
-        FatalIOErrorInFunction(dict)
-            << "ergunWenYuBlendedCoeffs: width " << width_
-            << " should be above 0 and at most 0.4"
-            << exit(FatalIOError);
-    }
+    numberAbove(dict, "ergunWenYuBlendedCoeffs: width", width_, 0);
+    numberFrom(dict, "ergunWenYuBlendedCoeffs: width", width_, 0, 0.4);
 }
 
 

@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "addedMassForce.H"
+#include "checkedNumber.H"
 
 #include "addToRunTimeSelectionTable.H"
 #include "fvc.H"
@@ -26,12 +27,10 @@ Foam::forceModels::addedMass::addedMass(const dictionary& dict)
     ),
     lastTime_(0)
 {
-    if (!(Cm_ > 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << "addedMassCoeffs: Cm " << Cm_ << " must be above 0; a sphere"
-            << " alone has 0.5" << exit(FatalIOError);
-    }
+    numberAbove
+    (
+        dict, "addedMassCoeffs: Cm", Cm_, 0, "; a sphere alone has 0.5"
+    );
 }
 
 
@@ -60,6 +59,7 @@ void Foam::forceModels::addedMass::prepare(const fluidState& fluid)
             )
         );
     }
+    // all ranks alike: they share their time
     else if (now > lastTime_)
     {
         DUDt_->primitiveFieldRef() =

@@ -4,7 +4,6 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "mathematicalConstants.H"
-#include "modelCoeffs.H"
 
 namespace Foam
 {
@@ -18,12 +17,19 @@ namespace forceModels
 
 Foam::forceModels::magnus::magnus(const dictionary& dict)
 :
-    finiteRe_
-    (
-        modelCoeffs(dict, typeName, {"finiteRe"})
-       .lookupOrDefault<Switch>("finiteRe", true)
-    )
+    liftForce(dict, typeName)
 {}
+
+
+Foam::vector Foam::forceModels::magnus::turning
+(
+    const dispersedParticles& p,
+    const particleSurroundings& around,
+    const label i
+) const
+{
+    return p.spin[i] - 0.5*around.vorticity[i];
+}
 
 
 Foam::scalar Foam::forceModels::magnus::factor
@@ -58,28 +64,4 @@ Foam::vector Foam::forceModels::magnus::lift
     const scalar f = finiteRe_ ? factor(d*s/nu, sqr(d)*w/nu) : 1;
 
     return f*constant::mathematical::pi/8*rho*pow3(d)*(slip ^ spin);
-}
-
-
-void Foam::forceModels::magnus::act
-(
-    const dispersedParticles& p,
-    const particleSurroundings& around,
-    vectorField& force
-) const
-{
-    forAll(force, i)
-    {
-        if (p.owned[i])
-        {
-            force[i] += lift
-            (
-                around.u[i] - p.velocity[i],
-                p.spin[i] - 0.5*around.vorticity[i],
-                2*p.radius[i],
-                around.nu,
-                around.rho
-            );
-        }
-    }
 }

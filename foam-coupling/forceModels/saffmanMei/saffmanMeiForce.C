@@ -3,7 +3,6 @@
 #include "saffmanMeiForce.H"
 
 #include "addToRunTimeSelectionTable.H"
-#include "modelCoeffs.H"
 
 namespace Foam
 {
@@ -17,12 +16,19 @@ namespace forceModels
 
 Foam::forceModels::saffmanMei::saffmanMei(const dictionary& dict)
 :
-    finiteRe_
-    (
-        modelCoeffs(dict, typeName, {"finiteRe"})
-       .lookupOrDefault<Switch>("finiteRe", true)
-    )
+    liftForce(dict, typeName)
 {}
+
+
+Foam::vector Foam::forceModels::saffmanMei::turning
+(
+    const dispersedParticles&,
+    const particleSurroundings& around,
+    const label i
+) const
+{
+    return around.vorticity[i];
+}
 
 
 Foam::scalar Foam::forceModels::saffmanMei::factor
@@ -58,28 +64,4 @@ Foam::vector Foam::forceModels::saffmanMei::lift
     const scalar f = finiteRe_ ? factor(d*s/nu, 0.5*d*w/s) : 1;
 
     return 1.615*sqr(d)*rho*sqrt(nu/w)*f*(slip ^ vorticity);
-}
-
-
-void Foam::forceModels::saffmanMei::act
-(
-    const dispersedParticles& p,
-    const particleSurroundings& around,
-    vectorField& force
-) const
-{
-    forAll(force, i)
-    {
-        if (p.owned[i])
-        {
-            force[i] += lift
-            (
-                around.u[i] - p.velocity[i],
-                around.vorticity[i],
-                2*p.radius[i],
-                around.nu,
-                around.rho
-            );
-        }
-    }
 }

@@ -2,8 +2,8 @@
 
 #include "latticeMemory.H"
 #include "addToRunTimeSelectionTable.H"
-#include "Pstream.H"
 #include "PstreamReduceOps.H"
+#include "handOver.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -106,81 +106,39 @@ void Foam::selfDisturbanceModels::latticeMemory::migrate
     const dispersedParticles& p
 )
 {
-    if (Pstream::parRun())
-    {
-        DynamicList<label> missing;
-        forAll(p.owned, i)
-        {
-            if (p.owned[i] && !histories_.count(p.tag[i]))
-            {
-                missing.append(p.tag[i]);
-            }
-        }
-        if (returnReduce(!missing.empty(), orOp<bool>()))
-        {
-            List<labelList> wanted(Pstream::nProcs());
-            wanted[Pstream::myProcNo()] = missing;
-            Pstream::gatherList(wanted);
-            Pstream::scatterList(wanted);
-
-            // tag, length, numbers
-            List<scalarList> given(Pstream::nProcs());
-            DynamicList<scalar> mine;
-            for (const labelList& tags : wanted)
-            {
-                for (const label tag : tags)
-                {
-                    const auto found = histories_.find(tag);
-                    if (found != histories_.end())
-                    {
-                        const std::vector<double> numbers
-                        (
-                            found->second.pack()
-                        );
-                        mine.append(scalar(tag));
-                        mine.append(scalar(numbers.size()));
-                        for (const double x : numbers)
-                        {
-                            mine.append(x);
-                        }
-                    }
-                }
-            }
-            given[Pstream::myProcNo()] = mine;
-            Pstream::gatherList(given);
-            Pstream::scatterList(given);
-
-            forAll(given, rank)
-            {
-                const scalarList& g = given[rank];
-                label k = 0;
-                while (rank != Pstream::myProcNo() && k < g.size())
-                {
-                    const label tag = label(g[k]), size = label(g[k + 1]);
-                    const double* from = g.cdata() + k + 2;
-                    if (missing.found(tag))
-                    {
-                        histories_[tag] =
-                            disturbanceHistory::unpack(from, from + size);
-                    }
-                    k += 2 + size;
-                }
-            }
-        }
-    }
-
-    // those of particles gone, to another rank or for good
     std::unordered_map<label, disturbanceHistory> kept;
+    DynamicList<label> wanted;
     kept.reserve(p.size());
     forAll(p.owned, i)
     {
         if (p.owned[i])
         {
             const auto found = histories_.find(p.tag[i]);
-            if (found != histories_.end())
+            if (found == histories_.end())
+            {
+                wanted.append(p.tag[i]);
+            }
+            else
             {
                 kept[p.tag[i]] = std::move(found->second);
+                histories_.erase(found);
             }
+        }
+    }
+
+    // what is left is of particles gone, to another rank or for good
+    if (Pstream::parRun() && returnReduce(!wanted.empty(), orOp<bool>()))
+    {
+        particleNumbers given;
+        for (const auto& left : histories_)
+        {
+            given[left.first] = left.second.pack();
+        }
+        for (const auto& came : handOver(given, wanted))
+        {
+            const double* from = came.second.data();
+            kept[came.first] =
+                disturbanceHistory::unpack(from, from + came.second.size());
         }
     }
     histories_.swap(kept);

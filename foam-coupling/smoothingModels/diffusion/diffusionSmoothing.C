@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "diffusionSmoothing.H"
+#include "checkedNumber.H"
 #include "addToRunTimeSelectionTable.H"
 #include "surfaceFields.H"
 #include "zeroGradientFvPatchFields.H"
@@ -81,18 +82,14 @@ Foam::smoothingModels::diffusion::diffusion
         zeroGradientFvPatchScalarField::typeName
     )
 {
-    if (bandwidth_ <= 0)
+    if (!coeffs_.found("bandwidth"))
     {
         FatalIOErrorInFunction(dict)
-            << "diffusionCoeffs: bandwidth [m] should be given and above 0"
+            << "diffusionCoeffs: bandwidth [m] must be given"
             << exit(FatalIOError);
     }
-    if (steps_ < 1 || steps_ > 1000)
-    {
-        FatalIOErrorInFunction(dict)
-            << "diffusionCoeffs: steps " << steps_ << " should be 1 to 1000"
-            << exit(FatalIOError);
-    }
+    numberAbove(dict, "diffusionCoeffs: bandwidth", bandwidth_, 0, " m");
+    wholeNumberFrom(dict, "diffusionCoeffs: steps", steps_, 1, 1000);
 }
 
 
@@ -156,6 +153,7 @@ void Foam::smoothingModels::diffusion::smooth(scalarField& cells) const
         )
     );
 
+    // all ranks alike: a setting
     for (label step = 0; step < steps_; ++step)
     {
         const scalarField source(V*psi);

@@ -55,6 +55,7 @@ Foam::autoPtr<Foam::smoothingModel> Foam::smoothingModel::New
 
 void Foam::smoothingModel::smooth(volScalarField& field) const
 {
+    // all ranks alike: the model
     if (active())
     {
         smooth(static_cast<scalarField&>(field.primitiveFieldRef()));
@@ -65,6 +66,7 @@ void Foam::smoothingModel::smooth(volScalarField& field) const
 
 void Foam::smoothingModel::smooth(volVectorField& field) const
 {
+    // all ranks alike: the model
     if (active())
     {
         for (direction axis = 0; axis < 3; ++axis)

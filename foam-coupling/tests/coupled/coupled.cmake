@@ -6,7 +6,7 @@ add_executable(standInDem ${_coupled}/standInDem.cpp $<TARGET_OBJECTS:clay_world
 target_link_libraries(standInDem PRIVATE clay_exchange nlohmann_json::nlohmann_json)
 set_target_properties(standInDem PROPERTIES ENABLE_EXPORTS ON)
 
-foreach(test coupled features refusals)
+foreach(test coupled features ranks refusals)
   add_executable(test_${test} ${_coupled}/test_${test}.cpp ${_coupled}/coupledRun.cpp)
   target_link_libraries(test_${test} PRIVATE GTest::gtest_main nlohmann_json::nlohmann_json)
   target_compile_definitions(test_${test} PRIVATE
@@ -19,5 +19,7 @@ foreach(test coupled features refusals)
   target_compile_options(test_${test} PRIVATE -Wall -Wextra)
   add_dependencies(test_${test} standInDem clayFoam)
   add_test(NAME ${test} COMMAND test_${test})
-  set_tests_properties(${test} PROPERTIES TIMEOUT 600 PROCESSORS 2)
+  # a half that waits for ever ends its test soon
+  set_tests_properties(${test} PROPERTIES TIMEOUT 600 PROCESSORS 2
+    ENVIRONMENT CLAYFOAM_TIMEOUT=60)
 endforeach()

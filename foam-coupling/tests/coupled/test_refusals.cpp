@@ -119,7 +119,7 @@ TEST(Failure, AFluidThatIsNoNumberIsNamed) {
   auto run = column("nan");
   run.box("U0 (1e200 0 1e200); adjust no; deltaT 1e-3;");
   ASSERT_NE(run.meshAndRun(), 0);
-  EXPECT_TRUE(says(run, "the fluid is no number at time")) << run.log();
+  EXPECT_TRUE(says(run, "the fluid is NaN or infinite at time")) << run.log();
 }
 
 TEST(Failure, AMissingCaseIsNamed) {

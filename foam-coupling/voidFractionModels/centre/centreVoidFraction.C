@@ -31,17 +31,14 @@ Foam::voidFractionModels::centre::centre
 
 void Foam::voidFractionModels::centre::weights(dispersedParticles& p) const
 {
-    p.cellIndex.clear();
-    p.weight.clear();
-    p.offset[0] = 0;
+    p.clearRows();
 
     for (label i = 0; i < p.size(); ++i)
     {
         if (p.owned[i])
         {
-            p.cellIndex.append(p.cell[i]);
-            p.weight.append(1);
+            p.append(p.cell[i], 1);
         }
-        p.offset[i + 1] = p.weight.size();
+        p.endRow(i);
     }
 }

@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "dividedVoidFraction.H"
+#include "checkedNumber.H"
 #include "addToRunTimeSelectionTable.H"
 #include "mathematicalConstants.H"
 
@@ -202,14 +203,14 @@ Foam::voidFractionModels::divided::divided
     reach_(0),
     slack_(0)
 {
-    const label n = coeffs_.lookupOrDefault<label>("points", 29);
-    if (n < 1 || n > 100000)
-    {
-        FatalIOErrorInFunction(dict)
-            << "dividedCoeffs: points " << n
-            << " should be 1 to 100000"
-            << exit(FatalIOError);
-    }
+    const label n = wholeNumberFrom
+    (
+        dict,
+        "dividedCoeffs: points",
+        coeffs_.lookupOrDefault<label>("points", 29),
+        1,
+        100000
+    );
 
     points_ = n == 29 ? shells() : spread(n);
     for (const point& x : points_)
@@ -237,9 +238,7 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
     const cellGeometry& geometry = cellGeometry::New(mesh_);
     const scalar share = 1.0/points_.size();
 
-    p.cellIndex.clear();
-    p.weight.clear();
-    p.offset[0] = 0;
+    p.clearRows();
 
     for (label particle = 0; particle < p.size(); ++particle)
     {
@@ -253,8 +252,7 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
         slack_ = GREAT;
         if (home >= 0)
         {
-            p.cellIndex.append(home);
-            p.weight.append(0);
+            p.append(home, 0);
             met_[meet(geometry, home, x, R)].entry = start;
 
             if (planes_.empty())
@@ -262,7 +260,7 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
                 // all points are within
                 p.weight.last() = 1;
                 p.slack[particle] = max(slack_ - 1e-9*R, 0.0);
-                p.offset[particle + 1] = p.weight.size();
+                p.endRow(particle);
                 continue;
             }
             leave(R);
@@ -302,13 +300,12 @@ void Foam::voidFractionModels::divided::weights(dispersedParticles& p) const
             if (met_[m].entry < 0)
             {
                 met_[m].entry = p.weight.size();
-                p.cellIndex.append(met_[m].cell);
-                p.weight.append(0);
+                p.append(met_[m].cell, 0);
             }
             p.weight[met_[m].entry] += share;
         }
         // a plane touched within rounding is one that may be crossed
         p.slack[particle] = max(slack_ - 1e-9*R, 0.0);
-        p.offset[particle + 1] = p.weight.size();
+        p.endRow(particle);
     }
 }

@@ -4,6 +4,7 @@
 #include "cellGeometry.H"
 #include "cyclicPolyPatch.H"
 #include "faceFacets.H"
+#include "processorCyclicPolyPatch.H"
 #include "addToRunTimeSelectionTable.H"
 #include "mathematicalConstants.H"
 
@@ -23,33 +24,76 @@ namespace voidFractionModels
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-Foam::List<Foam::vector> Foam::voidFractionModels::exactOverlap::images
+Foam::List<Foam::vector> Foam::voidFractionModels::exactOverlap::periods
+(
+    const fvMesh& mesh
+)
+{
+    // of a patch cut up over ranks each has its own part, with another's name
+    DynamicList<vector> mine;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if
+        (
+            !isA<cyclicPolyPatch>(patch)
+         && !isA<processorCyclicPolyPatch>(patch)
+        )
+        {
+            continue;
+        }
+        const auto& sides = refCast<const coupledPolyPatch>(patch);
+        if (sides.size() && sides.parallel() && sides.separated())
+        {
+            mine.append(sides.separation()[0]);
+        }
+    }
+
+    List<List<vector>> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = mine;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+
+    // each of them once, whichever half saw it
+    DynamicList<vector> found;
+    for (const List<vector>& ways : all)
+    {
+        for (const vector& way : ways)
+        {
+            bool known = false;
+            for (const vector& other : found)
+            {
+                known =
+                    known
+                 || min(mag(way - other), mag(way + other)) < 1e-6*mag(way);
+            }
+            if (!known)
+            {
+                found.append(way);
+            }
+        }
+    }
+    return List<vector>(std::move(found));
+}
+
+
+Foam::List<Foam::vector> Foam::voidFractionModels::exactOverlap::findImages
 (
     const fvMesh& mesh
 )
 {
     DynamicList<vector> found(26);
 
-    for (const polyPatch& patch : mesh.boundaryMesh())
+    for (const vector& way : periods(mesh))
     {
-        const auto* cyclic = isA<cyclicPolyPatch>(patch);
-        if
-        (
-            cyclic && cyclic->owner() && cyclic->size()
-         && cyclic->parallel() && cyclic->separated()
-        )
+        // with those there are already: through edges and corners
+        for (label k = found.size() - 1; k >= 0; --k)
         {
-            // with those there are already: through edges and corners
-            const vector way(cyclic->separation()[0]);
-            for (label k = found.size() - 1; k >= 0; --k)
-            {
-                const vector other(found[k]);
-                found.append(other + way);
-                found.append(other - way);
-            }
-            found.append(way);
-            found.append(-way);
+            const vector other(found[k]);
+            found.append(other + way);
+            found.append(other - way);
         }
+        found.append(way);
+        found.append(-way);
     }
 
     return List<vector>(std::move(found));
@@ -85,8 +129,7 @@ void Foam::voidFractionModels::exactOverlap::append
         const scalar w = overlap(facets, celli, centre, R)/ball;
         if (w > 0 || celli == home)
         {
-            p.cellIndex.append(celli);
-            p.weight.append(w);
+            p.append(celli, w);
         }
     }
 }
@@ -116,15 +159,11 @@ Foam::voidFractionModels::exactOverlap::look
         c.distance = 0;
         c.measured = false;
         c.taken = false;
-        for (label k = facets.first(facei); k < facets.last(facei); ++k)
+        facets.each(facei, centre, R, [&](const sphereFacet& facet, bool first)
         {
-            const sphereFacet facet(facets.against(k, centre, R));
             c.meets = std::max(c.meets, facet.meets());
-            if (k == facets.first(facei))
-            {
-                c.distance = facet.distance();
-            }
-        }
+            c.distance = first ? facet.distance() : c.distance;
+        });
     }
     return c;
 }
@@ -143,10 +182,10 @@ Foam::scalar Foam::voidFractionModels::exactOverlap::pyramid
     {
         c.measured = true;
         c.volume = 0;
-        for (label k = facets.first(facei); k < facets.last(facei); ++k)
+        facets.each(facei, centre, R, [&](const sphereFacet& facet, bool)
         {
-            c.volume += facets.against(k, centre, R).volume();
-        }
+            c.volume += facet.volume();
+        });
     }
     return c.volume;
 }
@@ -280,7 +319,7 @@ Foam::voidFractionModels::exactOverlap::exactOverlap
     sphere_(0),
     cuts_(mesh.nFaces(), cut{-1, sphereFacet::apart, 0, false, 0, false, 0}),
     reached_(mesh.nCells(), -1),
-    images_(images(mesh))
+    images_(findImages(mesh))
 {}
 
 
@@ -294,9 +333,7 @@ void Foam::voidFractionModels::exactOverlap::weights
     const cellGeometry& geometry = cellGeometry::New(mesh_);
     const faceFacets& facets = faceFacets::New(mesh_);
 
-    p.cellIndex.clear();
-    p.weight.clear();
-    p.offset[0] = 0;
+    p.clearRows();
 
     for (label i = 0; i < p.size(); ++i)
     {
@@ -312,9 +349,8 @@ void Foam::voidFractionModels::exactOverlap::weights
          && geometry.outside(home, x) + facets.warp(home) <= -R
         )
         {
-            p.cellIndex.append(home);
-            p.weight.append(1);
-            p.offset[i + 1] = p.weight.size();
+            p.append(home, 1);
+            p.endRow(i);
             continue;
         }
 
@@ -358,6 +394,6 @@ void Foam::voidFractionModels::exactOverlap::weights
                 append(p, facets, y, R, -1);
             }
         }
-        p.offset[i + 1] = p.weight.size();
+        p.endRow(i);
     }
 }

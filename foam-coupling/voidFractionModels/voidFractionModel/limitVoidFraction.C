@@ -51,6 +51,7 @@ class sides
 
 public:
 
+    //- Collective.
     sides(const Foam::fvMesh& mesh, const Foam::scalarField& values)
     :
         here_(values)
@@ -86,6 +87,7 @@ void Foam::voidFractionModel::limit(scalarField& alpha)
     // faces to the next cell with room, put right a little every round
     scalarField steps;
 
+    // all ranks alike: left on sums over them
     for (label round = 0; round < 1000; ++round)
     {
         // rounding alone is no reason for a further round

@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "voidFractionModel.H"
+#include "checkedNumber.H"
 #include "modelCoeffs.H"
 #include "smoothingModel.H"
 
@@ -40,6 +41,7 @@ void Foam::voidFractionModel::renew
     forAll(moved, k)
     {
         p.slack[moved[k]] = some.slack[k];
+        p.divisor[moved[k]] = 1;
     }
 
     // moved is in ascending order
@@ -78,10 +80,12 @@ void Foam::voidFractionModel::normalise
 {
     std::vector<double> sums(p.size(), 0.0);
 
+    // a rank may have kept what another has made anew: both as the model's
     for (label i = 0; i < p.size(); ++i)
     {
         for (label k = p.offset[i]; k < p.offset[i + 1]; ++k)
         {
+            p.weight[k] *= p.divisor[i];
             sums[i] += p.weight[k];
         }
     }
@@ -100,6 +104,7 @@ void Foam::voidFractionModel::normalise
         {
             p.weight[k] = lost ? 0 : p.weight[k]/sums[i];
         }
+        p.divisor[i] = lost ? 0 : sums[i];
         if (lost && p.owned[i])
         {
             p.weight[p.offset[i]] = 1;
@@ -122,16 +127,18 @@ Foam::voidFractionModel::voidFractionModel
     excessVolume_(0),
     mesh_(mesh),
     coeffs_(modelCoeffs(dict, type, entries)),
-    voidFractionMin_(dict.lookupOrDefault<scalar>("voidFractionMin", 0.2))
-{
-    if (voidFractionMin_ <= 0 || voidFractionMin_ >= 1)
-    {
-        FatalIOErrorInFunction(dict)
-            << "voidFractionMin " << voidFractionMin_
-            << " should be above 0 and below 1"
-            << exit(FatalIOError);
-    }
-}
+    voidFractionMin_
+    (
+        numberBetween
+        (
+            dict,
+            "voidFractionMin",
+            dict.lookupOrDefault<scalar>("voidFractionMin", 0.2),
+            0,
+            1
+        )
+    )
+{}
 
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //

@@ -109,7 +109,7 @@ class Ends(unittest.TestCase):
         self.assertEqual(self.judged(None, ""), "failed")
         self.assertEqual(self.judged(1, "ERROR: timestep 1 s is above 0.1 s"), "refused")
         for why in ("", "mpirun noticed that process rank 0 exited on signal 11", "U (nan nan 0)",
-                    "particle 3 is NaN at step 7", "particle 3 came with no numbers"):
+                    "particle 3 is NaN at step 7", "particle 3 came with NaN or infinity at time 0 s"):
             self.assertEqual(self.judged(1, why), "failed", why)
 
     def test_the_cause_is_told_from_the_aftermath(self):

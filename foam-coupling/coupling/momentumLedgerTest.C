@@ -1,0 +1,335 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/*---------------------------------------------------------------------------*\
+Description
+    The account of momentum between particles and fluid, against a pair of one
+    particle and one cell of fluid whose motion is known.
+\*---------------------------------------------------------------------------*/
+
+#include "momentumLedger.H"
+#include "testMesh.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+const scalar rho = 1000;
+
+// a row of four cells of 1 mm3
+test::polyhedra row()
+{
+    return test::block({4, 1, 1}, Zero, {4e-3, 1e-3, 1e-3});
+}
+const scalar V = 1e-9;
+
+// one particle in the second cell and the ledger
+class pair
+{
+    test::meshCase case_;
+    autoPtr<smoothingModel> smoothing_;
+    volScalarField n_;
+    volVectorField U_;
+
+public:
+
+    momentumLedger ledger;
+    dispersedParticles p;
+    scalarField K, added;
+    vectorField force;
+
+    pair(const scalar m, const scalar k, const scalar a = 0)
+    :
+        case_(row()),
+        smoothing_(smoothingModel::New(dictionary(), case_.mesh())),
+        n_(case_.field("n")),
+        U_
+        (
+            IOobject("U", case_.mesh().time().timeName(), case_.mesh()),
+            case_.mesh(),
+            dimensionedVector(dimVelocity, Zero),
+            calculatedFvPatchVectorField::typeName
+        ),
+        ledger(case_.mesh(), rho, a > 0),
+        K(1, k),
+        added(a > 0 ? 1 : 0, a),
+        force(1, Zero)
+    {
+        p.setSize(1);
+        p.mass = m;
+        p.volume = 0.1*V;
+        p.owned = true;
+        p.append(1, 1);
+        p.endRow(0);
+    }
+
+    vector& U() { return U_[1]; }
+
+    // the sources of the coming interval
+    void exchange(const scalar T)
+    {
+        ledger.setSources(p, p.velocity, K, force, added, smoothing_());
+        ledger.begin(T);
+    }
+
+    void settle(const vector& buoyancy = Zero)
+    {
+        ledger.settle(p, vectorField(1, buoyancy), smoothing_());
+    }
+
+    // a sub-step: the fluid's momentum equation without anything else
+    void solve(const scalar dt)
+    {
+        ledger.prepare(dt);
+        const scalar Sp = ledger.Sp()[1];
+        U() = (U() + dt*ledger.F()[1])/(1 + dt*Sp);
+        ledger.record(U_, dt);
+    }
+
+    // a sub-step of a fluid that keeps its velocity
+    void hold(const vector& u, const scalar dt)
+    {
+        ledger.prepare(dt);
+        U() = u;
+        ledger.record(U_, dt);
+    }
+
+    // the source as the fluid gets it, F - Sp U, by force [N]
+    vector source() const
+    {
+        return rho*V*(ledger.F()[1] - ledger.Sp()[1]*U_[1]);
+    }
+
+    const volScalarField& n() const { return n_; }
+};
+
+const vector v0(0.3, -0.1, 0.2);
+
+}
+
+
+// K dt -> 0: the source is the drag as it stands
+TEST(momentumLedger, slowDragIsTheDrag)
+{
+    const scalar m = 2e-6, T = 1e-3;
+    for (const scalar stiffness : {1e-8, 1e-4})
+    {
+        pair one(m, stiffness*m/T);
+        one.p.velocity = v0;
+        one.exchange(T);
+        one.ledger.prepare(T);
+        EXPECT_NEAR
+        (
+            mag(one.source() - one.K[0]*v0)/mag(one.K[0]*v0), 0, stiffness
+        );
+        EXPECT_NEAR(one.ledger.Sp()[1]*rho*V/one.K[0], 1, stiffness);
+        // and none where there is no particle
+        EXPECT_EQ(one.ledger.Sp()[2], 0);
+        EXPECT_EQ(mag(one.ledger.F()[2]), 0);
+    }
+}
+
+
+// K dt -> infinity: a free particle and its fluid come to their common velocity
+// in one step, and do not pass it
+TEST(momentumLedger, stiffDragEndsAtTheCommonVelocity)
+{
+    const scalar m = 2e-6, M = rho*V, T = 1e-3;
+    for (const label steps : {1, 5})
+    {
+        pair one(m, 1e6*m/T);
+        one.p.velocity = v0;
+        one.exchange(T);
+        for (label k = 0; k < steps; ++k)
+        {
+            one.solve(T/steps);
+        }
+        const vector common(m*v0/(m + M));
+        EXPECT_LT(mag(one.U() - common), 1e-9*mag(v0)) << steps;
+    }
+}
+
+
+// in a fluid whose velocity is held, a free particle gets
+// m (u - v) (1 - std::exp(-K T/m)), however the interval is divided
+TEST(momentumLedger, givesWhatAFreeParticleTakes)
+{
+    const scalar m = 2e-6, T = 1e-3;
+    const vector u(0.1, 0.4, -0.2);
+    for (const scalar stiffness : {0.01, 1.0, 20.0})
+    {
+        for (const label steps : {1, 7})
+        {
+            pair one(m, stiffness*m/T);
+            one.p.velocity = v0;
+            one.exchange(T);
+            vector given(Zero);
+            for (label k = 0; k < steps; ++k)
+            {
+                one.hold(u, T/steps);
+                given += T/steps*one.source();
+            }
+            const vector taken(m*(u - v0)*(1 - std::exp(-stiffness)));
+            EXPECT_LT(mag(given + taken), 1e-12*mag(taken)) << steps;
+        }
+    }
+}
+
+
+// what particles report and what the fluid got add up to what is owed
+TEST(momentumLedger, isBalanced)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<scalar> unit(-1, 1);
+    const auto any = [&]()
+    {
+        return vector(unit(random), unit(random), unit(random));
+    };
+    const scalar m = 2e-6, T = 1e-3;
+    pair one(m, 0.7*m/T);
+    vector received(Zero), given(Zero), buoyancy(Zero);
+    scalar size = 0;
+
+    for (label exchange = 0; exchange < 50; ++exchange)
+    {
+        const vector uplift(1e-7*any());
+        one.p.impulse = 1e-6*any();
+        one.p.velocity = any();
+        one.force = 1e-4*any();
+        received += one.p.impulse[0];
+        buoyancy += uplift;
+        size += mag(one.p.impulse[0]);
+        one.settle(uplift);
+
+        // buoyancy is no reaction of the fluid
+        EXPECT_LT
+        (
+            mag(received - buoyancy + given + one.ledger.owed()), 1e-12*size
+        );
+        EXPECT_LT(one.ledger.residual(received), 1e-12);
+        const vector wrong(0.01*size, 0, 0);
+        EXPECT_NEAR(one.ledger.residual(received + wrong), 0.01, 1e-9);
+
+        one.exchange(T);
+        for (label k = 0; k < 3; ++k)
+        {
+            const vector before(one.U());
+            one.solve(T/3);
+            given += rho*V*(one.U() - before);
+        }
+    }
+}
+
+
+// what is owed is paid in the next interval, whole, however it is divided
+TEST(momentumLedger, paysWhatItOwes)
+{
+    const scalar T = 1e-3;
+    for (const label steps : {1, 4})
+    {
+        pair one(2e-6, 0);
+        one.p.impulse[0] = vector(1e-6, 0, -3e-6);
+        one.settle();
+        EXPECT_LT(mag(one.ledger.owed() + one.p.impulse[0]), 1e-18);
+        one.exchange(T);
+        for (label k = 0; k < steps; ++k)
+        {
+            one.solve(T/steps);
+        }
+        EXPECT_LT(mag(rho*V*one.U() + one.p.impulse[0]), 1e-17) << steps;
+
+        one.p.impulse = Zero;
+        one.settle();
+        EXPECT_LT(mag(one.ledger.owed()), 1e-17) << steps;
+    }
+}
+
+
+// the reaction to an explicit force is its opposite; of a particle with added
+// mass a the share m/(m + a) of it
+TEST(momentumLedger, givesTheReaction)
+{
+    const scalar m = 2e-6, a = 1e-6, T = 1e-3;
+    for (const scalar added : {0.0, a})
+    {
+        pair one(m, 0, added);
+        one.force[0] = vector(0, 3e-5, 1e-5);
+        one.exchange(T);
+        one.ledger.prepare(T);
+        const vector expected(-m/(m + added)*one.force[0]);
+        EXPECT_LT(mag(one.source() - expected), 1e-12*mag(expected)) << added;
+    }
+}
+
+
+// added mass makes a free particle follow more slowly: K/(m + a)
+TEST(momentumLedger, addedMassSlowsTheAnswer)
+{
+    const scalar m = 2e-6, a = 1e-6, T = 1e-3, k = 3*m/T;
+    pair one(m, k, a);
+    one.p.velocity = v0;
+    one.exchange(T);
+    one.ledger.prepare(T);
+    const vector expected(m*v0*(1 - std::exp(-k*T/(m + a)))/T);
+    EXPECT_LT(mag(one.source() - expected), 1e-10*mag(expected));
+}
+
+
+// a rank without particles of a run with added mass
+TEST(momentumLedger, withoutParticlesGivesNothing)
+{
+    const test::meshCase c(row());
+    const auto smoothing = smoothingModel::New
+    (
+        test::settings
+        (
+            "smoothingModel diffusion; diffusionCoeffs { bandwidth 2e-3; }"
+        ),
+        c.mesh()
+    );
+    momentumLedger ledger(c.mesh(), rho, true);
+    dispersedParticles p;
+    p.setSize(0);
+    ledger.settle(p, vectorField(), smoothing());
+    ledger.setSources
+    (
+        p, vectorField(), scalarField(), vectorField(), scalarField(),
+        smoothing()
+    );
+    ledger.begin(1e-3);
+    ledger.prepare(1e-3);
+    EXPECT_EQ(max(mag(ledger.Sp().primitiveField())), 0);
+    EXPECT_EQ(max(mag(ledger.F().primitiveField())), 0);
+    EXPECT_EQ(ledger.residual(Zero), 0);
+}
+
+
+// in a step that makes up for intervals left out, drag and reaction keep the
+// time of their own interval; what is owed is paid over all of it
+TEST(momentumLedger, lateStepsGiveNoMoreDrag)
+{
+    const scalar m = 2e-6, T = 1e-3, late = 9*T, k = 0.5*m/T;
+    pair one(m, k);
+    one.p.velocity = v0;
+    one.force[0] = vector(0, 3e-5, 1e-5);
+    one.p.impulse[0] = vector(2e-6, 0, 0);
+    one.settle();
+    one.exchange(T);
+    one.ledger.prepare(T + late);
+    const vector given((T + late)*one.source());
+    const vector expected
+    (
+        m*v0*(1 - std::exp(-k*T/m)) - T*one.force[0] - one.p.impulse[0]
+    );
+    EXPECT_LT(mag(given - expected), 1e-12*mag(expected));
+}
+
+
+// K T/(rho n V), of all cells the largest
+TEST(momentumLedger, measuresStiffness)
+{
+    pair one(2e-6, 3e-4);
+    one.exchange(1e-3);
+    EXPECT_NEAR(one.ledger.stiffness(one.n(), 2e-3), 3e-4*2e-3/(rho*V), 1e-12);
+}

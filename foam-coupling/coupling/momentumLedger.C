@@ -3,6 +3,7 @@
 #include "momentumLedger.H"
 
 #include "extrapolatedCalculatedFvPatchFields.H"
+#include "savedState.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -70,7 +71,7 @@ Foam::momentumLedger::momentumLedger(const fvMesh& mesh, const scalar rho)
             "couplingImpulse",
             mesh.time().timeName(),
             mesh,
-            IOobject::READ_IF_PRESENT,
+            readState(mesh),
             IOobject::AUTO_WRITE
         ),
         mesh,

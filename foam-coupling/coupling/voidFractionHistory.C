@@ -5,6 +5,7 @@
 #include "calculatedFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvc.H"
+#include "savedState.H"
 #include "wallFvPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -53,7 +54,7 @@ void Foam::voidFractionHistory::particleFlux
 
 bool Foam::voidFractionHistory::saved(const fvMesh& mesh)
 {
-    return IOobject
+    return isSavedState(mesh) && IOobject
     (
         "voidfraction",
         mesh.time().timeName(),
@@ -98,7 +99,7 @@ Foam::voidFractionHistory::voidFractionHistory(const volVectorField& U)
             "voidfraction",
             mesh_.time().timeName(),
             mesh_,
-            IOobject::READ_IF_PRESENT,
+            readState(mesh_),
             IOobject::AUTO_WRITE
         ),
         mesh_,

@@ -2,6 +2,8 @@
 
 #include "addedMassForce.H"
 
+#include "savedState.H"
+
 #include "addToRunTimeSelectionTable.H"
 #include "fvc.H"
 #include "modelCoeffs.H"
@@ -51,7 +53,7 @@ void Foam::forceModels::addedMass::prepare(const fluidState& fluid)
                     "DUDt",
                     mesh.time().timeName(),
                     mesh,
-                    IOobject::READ_IF_PRESENT,
+                    readState(fluid.U.mesh()),
                     IOobject::AUTO_WRITE
                 ),
                 mesh,

@@ -77,7 +77,7 @@ void Foam::forceModels::magnus::act
                 around.u[i] - p.velocity[i],
                 p.spin[i] - 0.5*around.vorticity[i],
                 2*p.radius[i],
-                around.nu,
+                around.nu[i],
                 around.rho
             );
         }

@@ -77,7 +77,7 @@ void Foam::forceModels::saffmanMei::act
                 around.u[i] - p.velocity[i],
                 around.vorticity[i],
                 2*p.radius[i],
-                around.nu,
+                around.nu[i],
                 around.rho
             );
         }

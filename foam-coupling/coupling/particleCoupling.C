@@ -2,8 +2,10 @@
 
 #include "particleCoupling.H"
 
+#include "OSspecific.H"
 #include "OStringStream.H"
 #include "fvc.H"
+#include "savedState.H"
 #include "turbulenceModel.H"
 #include "uniformDimensionedFields.H"
 #include "zeroGradientFvPatchFields.H"
@@ -45,9 +47,19 @@ static clay::Box box(const boundBox& bounds)
 }
 
 
+static bool present(const fvMesh& mesh, const word& field)
+{
+    return returnReduce
+    (
+        isFile(mesh.time().timePath()/field),
+        orOp<bool>()
+    );
+}
+
+
 static bool saved(const fvMesh& mesh, const word& field)
 {
-    return IOobject
+    return isSavedState(mesh) && IOobject
     (
         field,
         mesh.time().timeName(),
@@ -82,7 +94,7 @@ clay::CfdTerms Foam::particleCoupling::terms() const
     clay::CfdTerms t;
 
     t.program = "clayFoam on OpenFOAM v" + std::to_string(OPENFOAM);
-    t.startTime = runTime.value();
+    t.startTime = runTime.value() - properties_.timeOffset();
 
     if
     (
@@ -91,7 +103,9 @@ clay::CfdTerms Foam::particleCoupling::terms() const
      == "endTime"
     )
     {
-        t.endTime = runTime.controlDict().get<scalar>("endTime");
+        t.endTime =
+            runTime.controlDict().get<scalar>("endTime")
+          - properties_.timeOffset();
     }
     if (properties_.interval() > 0)
     {
@@ -205,7 +219,8 @@ Foam::particleCoupling::particleCoupling
     U_(U),
     p_(p),
     mesh_(U.mesh()),
-    nu_(property(transportProperties, "nu", dimViscosity)),
+    law_(transportProperties),
+    nu_(law_.nu(0)),
     rho_(property(transportProperties, "rho", dimDensity)),
     properties_(mesh_.time()),
     mapping_(voidFractionModel::New(properties_, mesh_)),
@@ -230,6 +245,7 @@ Foam::particleCoupling::particleCoupling
             properties_.has("pressureGradient")
         }
     ),
+    solids_(mesh_, properties_.writeFields()),
     ledger_(mesh_, rho_),
     response_(mesh_, rho_),
     history_(U_),
@@ -240,7 +256,7 @@ Foam::particleCoupling::particleCoupling
             "gradp",
             mesh_.time().timeName(),
             mesh_,
-            IOobject::READ_IF_PRESENT,
+            readState(mesh_),
             IOobject::AUTO_WRITE
         ),
         mesh_,
@@ -248,6 +264,7 @@ Foam::particleCoupling::particleCoupling
         zeroGradientFvPatchVectorField::typeName
     ),
     gradPSet_(saved(mesh_, "gradp")),
+    mark_(stateMark(mesh_)),
     stressFraction_
     (
         IOobject("stressFraction", mesh_.time().timeName(), mesh_),
@@ -257,7 +274,7 @@ Foam::particleCoupling::particleCoupling
     ),
     gravity_(Zero),
     solidVolume_(0),
-    time_(mesh_.time().value()),
+    time_(mesh_.time().value() - properties_.timeOffset()),
     lastInterval_(0),
     interval_(0),
     marched_(0),
@@ -266,19 +283,11 @@ Foam::particleCoupling::particleCoupling
 {
     properties_.checkMesh(mesh_);
 
-    const word transport
-    (
-        transportProperties.lookupOrDefault<word>
-        (
-            "transportModel",
-            "Newtonian"
-        )
-    );
-    if (transport != "Newtonian")
+    if (!law_.newtonian() && properties_.get<word>("selfDisturbance") != "none")
     {
-        FatalIOErrorInFunction(transportProperties)
-            << "transportModel " << transport << " is not supported: drag laws"
-            << " need a constant viscosity; use Newtonian"
+        FatalIOErrorInFunction(properties_)
+            << "selfDisturbance " << properties_.get<word>("selfDisturbance")
+            << " needs a Newtonian fluid; transportModel is " << law_.model()
             << exit(FatalIOError);
     }
 
@@ -286,6 +295,20 @@ Foam::particleCoupling::particleCoupling
     {
         Info<< "clayFoam: couplingProperties: defaults taken: "
             << properties_.defaults().c_str() << endl;
+    }
+
+    // every case of CFDEM's brings one
+    for (const word field : {"voidfraction", "couplingImpulse"})
+    {
+        if (!isSavedState(mesh_) && present(mesh_, field))
+        {
+            stats_.warn
+            (
+                mesh_.time().timeName() + "/" + field + " is not read: its"
+                " folder has no uniform/couplingState, the mark of a state"
+                " that a coupled run has saved"
+            );
+        }
     }
 
     session_.reset

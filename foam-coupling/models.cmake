@@ -77,6 +77,7 @@ macro(clayfoam_model_tests)
       coupling/momentumLedgerTest
       coupling/voidFractionHistoryTest
       coupling/particleForcesTest
+      coupling/viscosityLawTest
       coupling/particleResponseTest)
     get_filename_component(name ${test} NAME)
     add_executable(${name} ${CLAYFOAM_MODEL_DIR}/${test}.C ${environment})
@@ -94,6 +95,7 @@ macro(clayfoam_model_tests)
   add_executable(faceOperatorsTest
     ${CLAYFOAM_MODEL_DIR}/clayFoam/faceOperatorsTest.C
     ${CLAYFOAM_MODEL_DIR}/clayFoam/faceOperators.C
+    ${CLAYFOAM_MODEL_DIR}/clayFoam/uncarriedForce.C
     ${CLAYFOAM_MODEL_DIR}/clayFoam/keptFactorPreconditioner.C ${environment})
   target_link_libraries(faceOperatorsTest PRIVATE clayTestMesh Eigen3::Eigen)
   add_test(NAME faceOperatorsTest COMMAND faceOperatorsTest)

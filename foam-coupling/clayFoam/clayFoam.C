@@ -13,6 +13,7 @@ Description
     option -parallel is set by the program itself.
 \*---------------------------------------------------------------------------*/
 
+#include "caseInput.H"
 #include "fluidSolver.H"
 #include "startUp.H"
 
@@ -29,7 +30,8 @@ namespace Foam
 //- Marches with the DEM half until the coupled run is over; collective
 static void march(const argList& args)
 {
-    Time runTime(Time::controlDictName, args);
+    checkDecomposition(args);
+    Time runTime(controls(args), args.rootPath(), args.caseName());
     fvMesh mesh
     (
         IOobject
@@ -41,10 +43,12 @@ static void march(const argList& args)
         )
     );
 
+    checkInput(mesh);
     fluidSolver fluid(runTime, mesh);
     particleCoupling coupling(fluid.U(), fluid.p(), fluid.transport());
     couplingStatistics& stats = coupling.statistics();
 
+    sayUnread(mesh, fluid.transport(), fluid.turbulence(), stats);
     setSolverOutput(coupling.properties().verbose());
 
     // written once the particles have said what they received up to that time

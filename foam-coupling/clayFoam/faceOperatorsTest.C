@@ -4,6 +4,7 @@
 #include "faceOperators.H"
 #include "keptFactorPreconditioner.H"
 #include "testMesh.H"
+#include "uncarriedForce.H"
 
 #include "fixedValueFvPatchFields.H"
 #include "fvm.H"
@@ -164,6 +165,55 @@ TEST(faceOperators, anEvenBlockIsOrthogonal)
     EXPECT_TRUE(faces.orthogonal());
     EXPECT_TRUE(faces.is("interpolationSchemes", "any", "linear"));
     EXPECT_FALSE(faces.is("interpolationSchemes", "any", "upwind phi"));
+}
+
+// A force in one cell: on an even mesh the faces carry all of it; on an uneven
+// one what they leave stays with that cell and its neighbours, and none is lost
+TEST(uncarriedForce, staysWhereItIs)
+{
+    for (const bool even : {true, false})
+    {
+        const schemedCase here
+        (
+            even ? test::block({5, 5, 6}, Zero, {1, 1, 1.3}) : shaken()
+        );
+        const fvMesh& mesh = here.mesh();
+        const faceOperators faces(mesh);
+        const label middle = mesh.findNearestCell(point(0.5, 0.5, 0.6));
+
+        vectorField F(mesh.nCells(), Zero);
+        F[middle] = vector(1, 2, 3);
+        scalarField onFaces(mesh.nFaces(), Zero);
+        for (const label f : mesh.cells()[middle])
+        {
+            ASSERT_TRUE(mesh.isInternalFace(f));
+            const scalar w = faces.weights()[f];
+            onFaces[f] =
+                (mesh.owner()[f] == middle ? w : 1 - w)
+               *(F[middle] & faces.Sf()[f]);
+        }
+
+        vectorField left, carried;
+        faces.reconstruct(onFaces, carried);
+        const scalar size = uncarriedForce(mesh, faces, F, onFaces, left);
+
+        const vector all(gSum(left)), missing
+        (
+            gSum(vectorField(mesh.V()*(F - carried)))
+        );
+        EXPECT_LT(mag(all - missing), 1e-14);
+        EXPECT_EQ(size < 1e-14, even);
+        if (!even)
+        {
+            EXPECT_GT(mag(missing), 1e-5);
+        }
+        forAll(left, celli)
+        {
+            const bool near =
+                celli == middle || mesh.cellCells()[middle].found(celli);
+            EXPECT_TRUE(near || mag(left[celli]) < 1e-16) << celli;
+        }
+    }
 }
 
 

@@ -203,6 +203,7 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
     rDFaces_(mesh.nFaces(), 1),
     nrDFaces_(mesh.nFaces(), 1),
     inertiaFaces_(mesh.nFaces(), Zero),
+    uncarried_(0),
     gradP_(scratch<vector>(mesh, "cellGradP", dimAcceleration)),
     scratch_(scratch<scalar>(mesh, "scratch", dimless)),
     stress_(scratch<scalar>(mesh, "stress", dimViscosity)),
@@ -251,6 +252,7 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
 
         const bool plain =
             turbulence_->type() == "Stokes"
+         && viscosityLaw(transport_).newtonian()
          && fv::options::New(mesh_).optionList::empty();
         quiet_.reset
         (

@@ -2,6 +2,8 @@
 
 #include "fluidSolver.H"
 
+#include "uncarriedForce.H"
+
 #include "fixedFluxPressureFvPatchScalarField.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -167,40 +169,29 @@ void Foam::fluidSolver::balanced
     });
     faces_.reconstruct(left, onFaces, residual, carried);
 
-    // what the faces do not carry of the source is shared among the cells by
-    // the size of their source
-    FixedList<scalar, 4> sums(Zero);
+    // what the faces do not carry of the source stays with their cells
+    vectorField unheld;
+    FixedList<scalar, 2> sizes(Zero);
+    sizes[0] = uncarriedForce(mesh_, faces_, net, onFaces, unheld);
     forAll(net, celli)
     {
-        const vector missing(V[celli]*(net[celli] - carried[celli]));
-        sums[0] += missing.x();
-        sums[1] += missing.y();
-        sums[2] += missing.z();
-        sums[3] += V[celli]*mag(net[celli]);
+        sizes[1] += V[celli]*mag(net[celli]);
     }
     reduce
     (
-        sums,
-        [](const FixedList<scalar, 4>& a, const FixedList<scalar, 4>& b)
+        sizes,
+        [](const FixedList<scalar, 2>& a, const FixedList<scalar, 2>& b)
         {
-            return FixedList<scalar, 4>
-            {
-                a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]
-            };
+            return FixedList<scalar, 2>{a[0] + b[0], a[1] + b[1]};
         }
     );
-    const vector share
-    (
-        sums[3] > VSMALL
-      ? vector(sums[0], sums[1], sums[2])/sums[3]
-      : vector::zero
-    );
+    uncarried_ = sizes[1] > VSMALL ? sizes[0]/sizes[1] : 0;
 
     force_.setSize(mesh_.nCells());
     vectorField& gradP = gradP_.primitiveFieldRef();
     forAll(net, celli)
     {
-        residual[celli] += mag(net[celli])*share;
+        residual[celli] += unheld[celli]/V[celli];
         gradP[celli] = net[celli] - residual[celli];
         if (left_.size())
         {
@@ -357,6 +348,8 @@ void Foam::fluidSolver::step(particleCoupling& coupling, const scalar part)
                 correctorTolerance_ > 0 ? U_.primitiveField() : vectorField()
             );
             correctPressure(coupling, ddtN, UEqn);
+            coupling.statistics().uncarried =
+                max(coupling.statistics().uncarried, uncarried_);
             coupling.checkFields();
             fvOptions.correct(U_);
             // all ranks alike: a setting

@@ -10,38 +10,13 @@
 #include "processorCyclicPolyPatch.H"
 #include "selfDisturbanceModel.H"
 #include "smoothingModel.H"
+#include "solidFields.H"
 #include "voidFractionModel.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-//- Levenshtein distance of two words
-static label edits(const std::string& a, const std::string& b)
-{
-    labelList row(b.size() + 1);
-    forAll(row, j)
-    {
-        row[j] = j;
-    }
-    for (size_t i = 1; i <= a.size(); ++i)
-    {
-        label diagonal = row[0];
-        row[0] = i;
-        for (size_t j = 1; j <= b.size(); ++j)
-        {
-            const label above = row[j];
-            row[j] = min
-            (
-                min(row[j], row[j - 1]) + 1,
-                diagonal + (std::tolower(a[i - 1]) != std::tolower(b[j - 1]))
-            );
-            diagonal = above;
-        }
-    }
-    return row.last();
-}
 
 static std::string text(const Switch& value)
 {
@@ -103,13 +78,43 @@ std::string Foam::listed(const wordList& words)
 }
 
 
+Foam::label Foam::letterChanges
+(
+    const std::string& a,
+    const std::string& b
+)
+{
+    labelList row(b.size() + 1);
+    forAll(row, j)
+    {
+        row[j] = j;
+    }
+    for (size_t i = 1; i <= a.size(); ++i)
+    {
+        label diagonal = row[0];
+        row[0] = i;
+        for (size_t j = 1; j <= b.size(); ++j)
+        {
+            const label above = row[j];
+            row[j] = min
+            (
+                min(row[j], row[j - 1]) + 1,
+                diagonal + (std::tolower(a[i - 1]) != std::tolower(b[j - 1]))
+            );
+            diagonal = above;
+        }
+    }
+    return row.last();
+}
+
+
 Foam::word Foam::nearestWord(const word& given, const wordList& known)
 {
     word nearest;
     label least = labelMax;
     for (const word& candidate : known)
     {
-        const label distance = edits(given, candidate);
+        const label distance = letterChanges(given, candidate);
         if (distance < least)
         {
             least = distance;
@@ -145,7 +150,8 @@ void Foam::couplingProperties::checkEntries() const
         "overlap", "frozenFluid", "model", "voidFractionModel", "dragModel", "forceModels",
         "smoothingModel", "selfDisturbance", "ddtVoidFraction", "interpolation",
         "voidFractionMin", "allowNoBuoyancy", "verbose", "couplingInterval",
-        "keepMapping", "quietFluid"
+        "keepMapping", "quietFluid", "timeOffset",
+        "writeFields"
     });
 
     const auto addCoeffs = [&known](const wordList& models)
@@ -346,6 +352,13 @@ Foam::couplingProperties::couplingProperties(const Time& runTime)
     allowNoBuoyancy_ = take<Switch>("allowNoBuoyancy", Switch(false));
     verbose_ = take<Switch>("verbose", Switch(false));
 
+    writeFields_ = lookupOrDefault<wordList>("writeFields", wordList());
+    for (const word& field : writeFields_)
+    {
+        checkWord(*this, "writeFields:", field, solidFields::known);
+    }
+
+    timeOffset_ = lookupOrDefault<scalar>("timeOffset", 0);
     interval_ = 0;
     if (found("couplingInterval"))
     {

@@ -129,6 +129,7 @@ void Foam::couplingStatistics::write
     j["max_void_fraction_volume_error"] = voidFractionError;
     j["clipped_volume_max"] = clippedVolume;
     j["drag_change_mean"] = dragSum > VSMALL ? dragChange/dragSum : 0;
+    j["uncarried_force_max"] = uncarried;
     j["cells_crossed_max"] = crossing;
     j["interval_over_relaxation_max"] = relaxations;
     j["warnings"] = warnings;

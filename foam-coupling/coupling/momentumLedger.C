@@ -3,6 +3,7 @@
 #include "momentumLedger.H"
 
 #include "extrapolatedCalculatedFvPatchFields.H"
+#include "savedState.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -77,7 +78,7 @@ Foam::momentumLedger::momentumLedger
             "couplingImpulse",
             mesh.time().timeName(),
             mesh,
-            IOobject::READ_IF_PRESENT,
+            readState(mesh),
             IOobject::AUTO_WRITE
         ),
         mesh,

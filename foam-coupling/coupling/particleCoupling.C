@@ -5,8 +5,10 @@
 
 #include "savedField.H"
 
+#include "OSspecific.H"
 #include "OStringStream.H"
 #include "fvc.H"
+#include "savedState.H"
 #include "turbulenceModel.H"
 #include "uniformDimensionedFields.H"
 #include "zeroGradientFvPatchFields.H"
@@ -41,6 +43,16 @@ static clay::Box box(const boundBox& bounds)
         b.hi[d] = bounds.max()[d];
     }
     return b;
+}
+
+
+static bool present(const fvMesh& mesh, const word& field)
+{
+    return returnReduce
+    (
+        isFile(mesh.time().timePath()/field),
+        orOp<bool>()
+    );
 }
 
 
@@ -88,7 +100,7 @@ clay::CfdTerms Foam::particleCoupling::terms() const
     clay::CfdTerms t;
 
     t.program = "clayFoam on OpenFOAM v" + std::to_string(OPENFOAM);
-    t.startTime = runTime.value();
+    t.startTime = runTime.value() - properties_.timeOffset();
 
     if
     (
@@ -97,7 +109,9 @@ clay::CfdTerms Foam::particleCoupling::terms() const
      == "endTime"
     )
     {
-        t.endTime = runTime.controlDict().get<scalar>("endTime");
+        t.endTime =
+            runTime.controlDict().get<scalar>("endTime")
+          - properties_.timeOffset();
     }
     if (properties_.interval() > 0)
     {
@@ -211,7 +225,8 @@ Foam::particleCoupling::particleCoupling
     U_(U),
     p_(p),
     mesh_(U.mesh()),
-    nu_(property(transportProperties, "nu", dimViscosity)),
+    law_(transportProperties),
+    nu_(law_.nu(0)),
     rho_(property(transportProperties, "rho", dimDensity)),
     properties_(mesh_.time()),
     mapping_(voidFractionModel::New(properties_, mesh_)),
@@ -236,6 +251,7 @@ Foam::particleCoupling::particleCoupling
             properties_.has("pressureGradient")
         }
     ),
+    solids_(mesh_, properties_.writeFields()),
     ledger_(mesh_, rho_, forces_.addedDensity() > 0),
     response_(mesh_, rho_),
     history_(U_),
@@ -246,7 +262,7 @@ Foam::particleCoupling::particleCoupling
             "gradp",
             mesh_.time().timeName(),
             mesh_,
-            IOobject::READ_IF_PRESENT,
+            readState(mesh_),
             IOobject::AUTO_WRITE
         ),
         mesh_,
@@ -254,6 +270,7 @@ Foam::particleCoupling::particleCoupling
         zeroGradientFvPatchVectorField::typeName
     ),
     gradPSet_(savedField<volVectorField>(mesh_, "gradp")),
+    mark_(stateMark(mesh_)),
     stressFraction_
     (
         IOobject("stressFraction", mesh_.time().timeName(), mesh_),
@@ -263,7 +280,7 @@ Foam::particleCoupling::particleCoupling
     ),
     gravity_(Zero),
     solidVolume_(0),
-    time_(mesh_.time().value()),
+    time_(mesh_.time().value() - properties_.timeOffset()),
     lastInterval_(0),
     interval_(0),
     marched_(0),
@@ -272,19 +289,11 @@ Foam::particleCoupling::particleCoupling
 {
     properties_.checkMesh(mesh_);
 
-    const word transport
-    (
-        transportProperties.lookupOrDefault<word>
-        (
-            "transportModel",
-            "Newtonian"
-        )
-    );
-    if (transport != "Newtonian")
+    if (!law_.newtonian() && properties_.get<word>("selfDisturbance") != "none")
     {
-        FatalIOErrorInFunction(transportProperties)
-            << "transportModel " << transport << " is not supported: drag laws"
-            << " need a constant viscosity; use Newtonian"
+        FatalIOErrorInFunction(properties_)
+            << "selfDisturbance " << properties_.get<word>("selfDisturbance")
+            << " needs a Newtonian fluid; transportModel is " << law_.model()
             << exit(FatalIOError);
     }
 
@@ -292,6 +301,20 @@ Foam::particleCoupling::particleCoupling
     {
         Info<< "clayFoam: couplingProperties: defaults taken: "
             << properties_.defaults().c_str() << endl;
+    }
+
+    // every case of CFDEM's brings one
+    for (const word field : {"voidfraction", "couplingImpulse"})
+    {
+        if (!isSavedState(mesh_) && present(mesh_, field))
+        {
+            stats_.warn
+            (
+                mesh_.time().timeName() + "/" + field + " is not read: its"
+                " folder has no uniform/couplingState, the mark of a state"
+                " that a coupled run has saved"
+            );
+        }
     }
 
     session_.reset(new clay::CfdSession(terms(), boxes()));

@@ -199,7 +199,7 @@ void Foam::particleCoupling::exchangeMomentum()
         p,
         fluid,
         history_.mapped(),
-        nu_,
+        law_,
         elapsed(),
         weighted
       ? ledger_.follow(history_.mapped(), forces_.addedDensity())
@@ -241,6 +241,8 @@ void Foam::particleCoupling::exchangeMomentum()
             }
         }
     }
+
+    solids_.update(p, forces_.K, forces_.u, sumShared_);
 
     // the cells show the particles' own part besides: K (v + own - U)
     ledger_.setSources
@@ -391,11 +393,11 @@ bool Foam::particleCoupling::next()
         }
         const clay::DemTerms& dem = session_->remoteTerms();
 
-        if (mag(session_->time() - endOfInterval()) > 0.5*dem.step)
+        if (mag(session_->time() - time_ - interval_) > 0.5*dem.step)
         {
             FatalErrorInFunction
                 << "the DEM half sent its state of time " << session_->time()
-                << " s, the fluid is at " << endOfInterval() << " s"
+                << " s, the fluid is at " << time_ + interval_ << " s of it"
                 << exit(FatalError);
         }
 

@@ -51,6 +51,70 @@ void Foam::particleCoupling::foretell(const scalar interval)
 }
 
 
+void Foam::particleCoupling::judgeModels()
+{
+    const dispersedParticles& p = particles_;
+    const auto text = [](const scalar x)
+    {
+        std::ostringstream os;
+        os << std::setprecision(2) << x;
+        return os.str();
+    };
+
+    scalar size = 0, lightest = GREAT;
+    forAll(p.owned, i)
+    {
+        if (p.owned[i])
+        {
+            size = max(size, 2*p.radius[i]/cbrt(mesh_.V()[p.cell[i]]));
+            lightest = min(lightest, p.mass[i]/p.volume[i]);
+        }
+    }
+    reduce(size, maxOp<scalar>());
+    reduce(lightest, minOp<scalar>());
+
+    if
+    (
+        size > 0.6 && mapping_->type() != "centre" && !smoothing_->active()
+     && properties_.get<word>("selfDisturbance") == "none"
+    )
+    {
+        stats_.warn
+        (
+            "spheres of " + text(size) + " cells: a sphere is mapped onto"
+            " cells that hold little but itself and what it has set in motion:"
+            " alone it settles 13 % too slowly in cells of 1 d at Re 150, 47 %"
+            " too fast in cells of 2 d at low Re; take cells of at least 5 d,"
+            " smoothingModel diffusion or selfDisturbance latticeMemory"
+        );
+    }
+    if (lightest < 0.99*rho_ && !(forces_.addedDensity() > 0))
+    {
+        stats_.warn
+        (
+            "particles of " + text(lightest) + " kg/m3 are lighter than the"
+            " fluid: without added mass they may swing, and sink where they"
+            " should rise; list addedMass in forceModels"
+        );
+    }
+    const scalar moved =
+        solidVolume_ > 0 ? mapping_->clippedVolume()/solidVolume_ : 0;
+    if (moved > 0.01)
+    {
+        stats_.warn
+        (
+            text(100*moved) + " % of the solid volume found no room in its own"
+            " cells (voidFractionMin " + text(properties_.get<scalar>
+            (
+                "voidFractionMin"
+            )) + ") and went to their neighbours: forces there are not those"
+            " of the particles; the mesh must be thicker than the spheres, the"
+            " cells larger"
+        );
+    }
+}
+
+
 void Foam::particleCoupling::judgeInterval(const scalar interval)
 {
     const dispersedParticles& p = particles_;
@@ -60,6 +124,7 @@ void Foam::particleCoupling::judgeInterval(const scalar interval)
     if (stats_.exchanges == 1)
     {
         foretell(interval);
+        judgeModels();
     }
 
     // by places in the list: a particle that has moved in it is passed over

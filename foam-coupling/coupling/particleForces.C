@@ -4,6 +4,7 @@
 
 #include "fvc.H"
 #include "interpolation.H"
+#include "savedState.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -125,7 +126,7 @@ void Foam::particleForces::damp
                     "particleForceSent",
                     density.mesh().time().timeName(),
                     density.mesh(),
-                    IOobject::READ_IF_PRESENT,
+                    readState(density.mesh()),
                     IOobject::AUTO_WRITE
                 ),
                 density
@@ -148,7 +149,7 @@ void Foam::particleForces::evaluateMore
     const dispersedParticles& p,
     const fluidState& fluid,
     const scalarField& fraction,
-    const scalar nu
+    const scalarField& nu
 )
 {
     vectorField vorticity;
@@ -182,7 +183,11 @@ void Foam::particleForces::evaluateMore
         {
             forAll(turn, i)
             {
-                turn[i] += force.turnCoefficient(nu*fluid.rho, 2*p.radius[i]);
+                turn[i] += force.turnCoefficient
+                (
+                    nu[i]*fluid.rho,
+                    2*p.radius[i]
+                );
             }
         }
         fluidSpin = 0.5*vorticity;
@@ -255,12 +260,48 @@ Foam::tmp<Foam::vectorField> Foam::particleForces::pressureForce
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::particleForces::viscosity
+(
+    const dispersedParticles& p,
+    const fluidState& fluid,
+    const viscosityLaw& law
+) const
+{
+    scalarField rate(p.size(), Zero);
+    if (!law.newtonian())
+    {
+        volScalarField strain
+        (
+            "strainRate",
+            sqrt(2.0)*mag(symm(fvc::grad(fluid.U)))
+        );
+        rate = sample(strain, p);
+    }
+
+    auto tnu = tmp<scalarField>::New(p.size(), law.nu(0));
+    scalarField& nu = tnu.ref();
+    forAll(nu, i)
+    {
+        if (p.owned[i] && !law.newtonian())
+        {
+            nu[i] = law.around
+            (
+                rate[i],
+                mag(u[i] - p.velocity[i]),
+                2*p.radius[i]
+            );
+        }
+    }
+    return tnu;
+}
+
+
 void Foam::particleForces::evaluate
 (
     const dispersedParticles& p,
     const fluidState& fluid,
     const volScalarField& n,
-    const scalar nu,
+    const viscosityLaw& law,
     const scalar T,
     const scalarField& part
 )
@@ -281,6 +322,7 @@ void Foam::particleForces::evaluate
         u -= own_;
         fraction += ownSolid;
     }
+    const scalarField nu(viscosity(p, fluid, law));
 
     K.setSize(p.size());
     K = 0;
@@ -298,15 +340,18 @@ void Foam::particleForces::evaluate
                     factor > 0
                   ? drag_->bodyCoefficient
                     (
-                        factor, fraction[i], slip, d, nu, fluid.rho
+                        factor, fraction[i], slip, d, nu[i], fluid.rho
                     )
-                  : drag_->coefficient(fraction[i], slip, d, nu, fluid.rho)
+                  : drag_->coefficient
+                    (
+                        fraction[i], slip, d, nu[i], fluid.rho
+                    )
                 );
             if (!properties_.modelA())
             {
                 K[i] /= fraction[i];
             }
-            reynoldsMax_ = max(reynoldsMax_, fraction[i]*d*slip/nu);
+            reynoldsMax_ = max(reynoldsMax_, fraction[i]*d*slip/nu[i]);
         }
     }
 

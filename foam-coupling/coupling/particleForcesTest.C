@@ -122,7 +122,10 @@ public:
     {
         n_ == dimensionedScalar("n", dimless, n);
         const fluidState fluid{U, gradP, nuEff_, rho, gravity};
-        forces.evaluate(p, fluid, n_, nu, 1e-3, part);
+        dictionary newtonian;
+        newtonian.add("transportModel", word("Newtonian"));
+        newtonian.add("nu", nu);
+        forces.evaluate(p, fluid, n_, viscosityLaw(newtonian), 1e-3, part);
     }
 
     Time& time() { return const_cast<Time&>(case_.mesh().time()); }

@@ -7,6 +7,7 @@
 #include "calculatedFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 #include "fvc.H"
+#include "savedState.H"
 #include "wallFvPatch.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -88,7 +89,7 @@ Foam::voidFractionHistory::voidFractionHistory(const volVectorField& U)
             "voidfraction",
             mesh_.time().timeName(),
             mesh_,
-            IOobject::READ_IF_PRESENT,
+            readState(mesh_),
             IOobject::AUTO_WRITE
         ),
         mesh_,

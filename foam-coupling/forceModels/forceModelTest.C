@@ -47,7 +47,8 @@ struct oneSphere
     vector act(const forceModel& f) const
     {
         vectorField sum(1, Zero);
-        f.act(p, {u, n, vorticity, nu, rho}, sum);
+        const scalarField viscosity(1, nu);
+        f.act(p, {u, n, vorticity, viscosity, rho}, sum);
         return sum[0];
     }
 };

@@ -3,6 +3,8 @@
 #include "addedMassForce.H"
 #include "checkedNumber.H"
 
+#include "savedState.H"
+
 #include "addToRunTimeSelectionTable.H"
 #include "fvc.H"
 #include "modelCoeffs.H"
@@ -50,7 +52,7 @@ void Foam::forceModels::addedMass::prepare(const fluidState& fluid)
                     "DUDt",
                     mesh.time().timeName(),
                     mesh,
-                    IOobject::READ_IF_PRESENT,
+                    readState(fluid.U.mesh()),
                     IOobject::AUTO_WRITE
                 ),
                 mesh,

@@ -34,7 +34,7 @@ void Foam::liftForce::act
                 around.u[i] - p.velocity[i],
                 turning(p, around, i),
                 2*p.radius[i],
-                around.nu,
+                around.nu[i],
                 around.rho
             );
         }

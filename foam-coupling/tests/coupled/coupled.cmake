@@ -6,7 +6,7 @@ add_executable(standInDem ${_coupled}/standInDem.cpp $<TARGET_OBJECTS:clay_world
 target_link_libraries(standInDem PRIVATE clay_exchange nlohmann_json::nlohmann_json)
 set_target_properties(standInDem PROPERTIES ENABLE_EXPORTS ON)
 
-foreach(test coupled features ranks refusals)
+foreach(test coupled features input ranks refusals)
   add_executable(test_${test} ${_coupled}/test_${test}.cpp ${_coupled}/coupledRun.cpp)
   target_link_libraries(test_${test} PRIVATE GTest::gtest_main nlohmann_json::nlohmann_json)
   target_compile_definitions(test_${test} PRIVATE

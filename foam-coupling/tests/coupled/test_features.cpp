@@ -227,3 +227,96 @@ TEST(FixedFluxPressure, CarriesTheForceOfABedToTheInlet) {
   EXPECT_NEAR(n[0], 0.6, 1e-6);
   EXPECT_NEAR(run.onPatch("p", "bottom") / p, 1, 2e-3);
 }
+
+namespace {
+
+/// One sphere in the middle of a box of fluid that stays at rest; Stokes drag.
+CoupledRun single(const std::string& name, const std::string& transport) {
+  CoupledRun run(name);
+  run.box("x1 0.1; y1 0.1; z1 0.1; nx 5; ny 5; nz 5;");
+  run.edit("constant/transportProperties", "transportModel  Newtonian;\nnu              $nu;", transport);
+  run.properties("dragModel Stokes; frozenFluid yes;");
+  run.dem("hi", "0.1,0.1,0.1").dem("from", "0.05,0.05,0.05").dem("to", "0.06,0.06,0.06");
+  run.dem("radius", 1e-3).dem("gravity", "0,0,-9.81").dem("density", 2600).dem("steps", 8000);
+  return run;
+}
+
+constexpr double weight = 1600 * 9.81 * pi / 6 * 8e-9;  // of a sphere of 2 mm in water [N]
+
+}  // namespace
+
+TEST(Viscosity, ANewtonianLimitGivesStokesDrag) {
+  auto run = single("bird-carreau", "transportModel BirdCarreau;\n"
+                    "BirdCarreauCoeffs { nu0 1e-3; nuInf 1e-3; k 1; n 0.5; }");
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+  EXPECT_NEAR(-run.lastVelocity() / (weight / (3 * pi * 1 * 2e-3)), 1, 5e-3);
+}
+
+// Below the critical yield number a grain falls by what the yield stress leaves of its weight;
+// above it creeps no faster than the largest viscosity lets it
+TEST(Viscosity, AYieldStressHoldsAGrainOrLetsItFall) {
+  const auto bingham = [](double tau) {
+    std::ostringstream os;
+    os << "transportModel HerschelBulkley;\nHerschelBulkleyCoeffs { nu0 1; tau0 " << tau / rhoF
+       << "; k 1e-3; n 1; }";
+    return os.str();
+  };
+  const double critical = 0.143 * weight / (2 * pi * 1e-6), mu = 1, d = 2e-3;
+
+  auto falls = single("bingham-falls", bingham(0.5 * critical));
+  ASSERT_EQ(falls.meshAndRun(), 0) << falls.log();
+  EXPECT_NEAR(-falls.lastVelocity() / (0.5 * weight / (3 * pi * mu * d)), 1, 0.02);
+
+  auto creeps = single("bingham-creeps", bingham(1.3 * critical));
+  ASSERT_EQ(creeps.meshAndRun(), 0) << creeps.log();
+  EXPECT_LE(-creeps.lastVelocity(), 1.01 * weight / (3 * pi * 1000 * d));
+  EXPECT_GT(-creeps.lastVelocity(), 0);
+}
+
+// Between two walls, driven by a body force G: U = n/(n + 1) (G/k)^(1/n) (h^(1 + 1/n) - z^(1 + 1/n))
+TEST(Viscosity, APowerLawFluidFlowsByItsProfile) {
+  CoupledRun run("power-law");
+  const double h = 0.04, n = 0.5, k = 1e-2, G = 0.7;
+  run.box("x1 0.02; y1 0.02; z1 0.08; nx 2; ny 2; nz 32; sideType cyclic; sideU cyclic; sideP cyclic;");
+  run.edit("constant/transportProperties", "transportModel  Newtonian;\nnu              $nu;",
+           "transportModel powerLaw; powerLawCoeffs { k 1e-2; n 0.5; nuMin 1e-6; nuMax 1; }");
+  std::ofstream(run.path() / "system" / "fvOptions")
+      << "FoamFile { version 2.0; format ascii; class dictionary; object fvOptions; }\n"
+      << "drive { type vectorSemiImplicitSource; active yes; selectionMode all;\n"
+      << "  volumeMode specific; injectionRateSuSp { U ((" << G << " 0 0) 0); } }\n";
+  run.properties("dragModel Stokes;").dem("hi", "0.02,0.02,0.08").dem("from", "0.009,0.009,0.04");
+  run.dem("to", "0.01,0.01,0.041").dem("frozen", 1).dem("radius", 1e-8).dem("step", 1e-3).dem("steps", 3000);
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+  const auto U = run.values("U");
+  ASSERT_EQ(U.size(), 128u);
+  const double factor = n / (n + 1) * std::pow(G / k, 1 / n), most = factor * std::pow(h, 1 + 1 / n);
+  for (std::size_t row = 0; row < 32; ++row) {
+    const double z = std::fabs((static_cast<double>(row) + 0.5) * 0.0025 - h);
+    EXPECT_NEAR(U[4 * row][0] / most, 1 - std::pow(z / h, 1 + 1 / n), 0.01) << row;
+  }
+}
+
+// At the terminal velocity drag carries the submerged weight (model B)
+TEST(WriteFields, DragSumsUpToTheWeightItCarries) {
+  for (int ranks : {1, 2}) {
+    CoupledRun run("writeFields-" + std::to_string(ranks));
+    run.ranks(1, ranks);
+    run.box("x1 0.02; y1 0.02; z1 0.04; nx 2; ny 2; nz 4; nu 1e-3;");
+    run.dem("hi", "0.02,0.02,0.04").dem("from", "0,0,0.02").dem("to", "0.02,0.02,0.04");
+    run.dem("count", "4,4,4").dem("gravity", "0,0,-9.81").dem("density", 2600).dem("steps", 1000);
+    run.dem("radius", 5e-4);
+    run.properties("model B; writeFields (Us drag exchangeCoefficient);");
+    ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+    if (ranks > 1) continue;
+    const double cell = 1e-6, one = 1600 * 9.81 * pi / 6 * 1e-9;
+    const auto drag = run.values("drag"), Us = run.values("Us"), U = run.values("U");
+    const auto K = run.scalars("exchangeCoefficient");
+    double sum = 0, byCells = 0;
+    for (std::size_t i = 0; i < drag.size(); ++i) {
+      sum += drag[i][2] * cell;
+      byCells += K[i] * (U[i][2] - Us[i][2]) * cell;
+    }
+    EXPECT_NEAR(sum / (64 * one), 1, 5e-3);
+    EXPECT_NEAR(byCells / sum, 1, 0.05);
+  }
+}

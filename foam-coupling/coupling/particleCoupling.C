@@ -46,6 +46,7 @@ static clay::Box box(const boundBox& bounds)
 }
 
 
+//- Is there a file of that name in the start time's folder. Collective
 static bool present(const fvMesh& mesh, const word& field)
 {
     return returnReduce

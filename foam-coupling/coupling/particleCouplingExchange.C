@@ -310,6 +310,7 @@ void Foam::particleCoupling::foreseeAnswer()
         q.touched = p.touched[i];
     }
 
+    // all ranks alike: a setting
     if (forces_.addedDensity() > 0)
     {
         ledger_.setReaction(p, forces_.reacting, smoothing_());

@@ -268,6 +268,7 @@ Foam::tmp<Foam::scalarField> Foam::particleForces::viscosity
 ) const
 {
     scalarField rate(p.size(), Zero);
+    // all ranks alike: a setting
     if (!law.newtonian())
     {
         volScalarField strain

@@ -38,7 +38,7 @@ static void make
 }
 
 
-//- Sums of the particles' values by cell volume
+//- Sums of the particles' values by cell volume. Collective
 template<class Type>
 static void spread
 (
@@ -105,6 +105,7 @@ void Foam::solidFields::update
     const voidFractionModel::sharedSum& sumShared
 )
 {
+    // all ranks alike: a setting
     if (Us_)
     {
         spread(*Us_, p, vectorField(p.volume*p.velocity));
@@ -126,10 +127,12 @@ void Foam::solidFields::update
         }
         Us_->correctBoundaryConditions();
     }
+    // all ranks alike: a setting
     if (exchange_)
     {
         spread(*exchange_, p, K);
     }
+    // all ranks alike: a setting
     if (drag_)
     {
         vectorField force(p.size(), Zero);

@@ -3,6 +3,7 @@
 #include "particleCoupling.H"
 
 #include "OStringStream.H"
+#include "meshPeriod.H"
 #include "fvc.H"
 #include "turbulenceModel.H"
 #include "uniformDimensionedFields.H"
@@ -123,7 +124,10 @@ clay::CfdTerms Foam::particleCoupling::terms() const
         Field::tag, Field::impulse, Field::mass, Field::meanVelocity,
         Field::otherForce, Field::touched
     };
-    t.accepts = {Field::dragDiameter, Field::dragFactor};
+    t.buoyancy = properties_.has("buoyancy");
+    t.period = meshPeriod(mesh_);
+    t.open = openSides(mesh_);
+    t.accepts = {Field::dragDiameter, Field::dragFactor, Field::gravity};
     t.offers =
     {
         Field::dragCoefficient, Field::fluidVelocity, Field::force
@@ -150,7 +154,7 @@ void Foam::particleCoupling::checkBuoyancy()
     const auto& g = session_->remoteTerms().gravity;
     gravity_ = vector(g[0], g[1], g[2]);
 
-    if (mag(gravity_) > 0 && !properties_.has("buoyancy"))
+    if (session_->remoteTerms().hasGravity && !properties_.has("buoyancy"))
     {
         OStringStream os;
         os  << "forceModels " << listed(properties_.forces()).c_str()

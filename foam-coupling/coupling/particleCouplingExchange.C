@@ -32,6 +32,12 @@ void Foam::particleCoupling::take()
         vectors(Field::spin, p.spin);
     }
 
+    if (received_.fields().has(Field::gravity))
+    {
+        p.gravity.setSize(p.size());
+        vectors(Field::gravity, p.gravity);
+    }
+
     const auto scalars = [&](Field f, scalarField& to)
     {
         if (received_.fields().has(f))
@@ -179,7 +185,7 @@ void Foam::particleCoupling::exchangeMomentum()
     ledger_.settle
     (
         p,
-        elapsed()*forces_.hydrostaticForces(p, fluid),
+        vectorField(p.size(), Zero),    // impulses come without buoyancy
         smoothing_()
     );
 
@@ -301,7 +307,8 @@ void Foam::particleCoupling::foreseeAnswer()
         q.load =
             forces_.hydrostatic[i] + forces_.reacting[i] - pressureForce_[i];
         q.mean = p.meanVelocity[i];
-        q.impulse = p.impulse[i];
+        // of all that the fluid does, its weightless part having come
+        q.impulse = p.impulse[i] + lastInterval_*forces_.hydrostatic[i];
         q.other = p.otherForce[i];
         q.touched = p.touched[i];
     }

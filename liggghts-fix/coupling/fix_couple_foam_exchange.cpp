@@ -21,8 +21,6 @@
 #include "domain.h"
 #include "error.h"
 #include "exchange/session.h"
-#include "fix_gravity.h"
-#include "modify.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -41,7 +39,26 @@ clay::SphereArrays FixCoupleFoam::spheres() const
   s.radius = atom->radius;
   s.mass = atom->rmass;
   s.tag = atom->tag;
+  s.groups = atom->mask;
+  s.gravity = &pull_;
   return s;
+}
+
+/* ----------------------------------------------------------------------
+   as it is now; the usual one is that of most particles: on all, or on the
+   group of this fix
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::find_gravity()
+{
+  pull_ = gravity_.now();
+  usual_ = pull_.on(1 | groupbit);
+}
+
+clay::Hydrostatics FixCoupleFoam::hydrostatics() const
+{
+  const clay::CfdTerms &fluid = session_->remoteTerms();
+  return {fluid.buoyancy ? fluid.fluidDensity : 0.,usual_};
 }
 
 /* ---------------------------------------------------------------------- */
@@ -49,9 +66,14 @@ clay::SphereArrays FixCoupleFoam::spheres() const
 void FixCoupleFoam::list_free()
 {
   free_.clear();
+  yielding_.clear();
+  held_.clear();
   listed_ = atom->nlocal;
   for (int i = 0; i < listed_; i++)
-    if ((atom->mask[i] & groupbit) && !(bodies_ && bodies_->belongs_to(i) >= 0)) free_.push_back(i);
+    if ((atom->mask[i] & groupbit) && !(bodies_ && bodies_->belongs_to(i) >= 0)) {
+      free_.push_back(i);
+      (moving_.moves(atom->mask[i]) ? yielding_ : held_).push_back(i);
+    }
 }
 
 /* ----------------------------------------------------------------------
@@ -61,8 +83,9 @@ void FixCoupleFoam::list_free()
 void FixCoupleFoam::apply(bool first)
 {
   if (listed_ != atom->nlocal) list_free();
-  if (more_) clay::push_inertial_spheres(free_,fluid_,more_,spheres(),random_.get(),update->dt,first);
-  else clay::push_spheres(free_,fluid_,spheres(),random_.get(),update->dt,first);
+  if (more_) clay::push_inertial_spheres(yielding_,fluid_,more_,spheres(),random_.get(),update->dt,first);
+  else clay::push_spheres(yielding_,fluid_,spheres(),random_.get(),update->dt,first);
+  clay::push_held_spheres(held_,fluid_,spheres(),atom->mask,mute_,random_.get(),update->dt,first);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -70,6 +93,7 @@ void FixCoupleFoam::apply(bool first)
 void FixCoupleFoam::send(bool last)
 {
   if (still_) book_rest();
+  find_gravity();
 
   spheres_.clear();
   if (bodies_) bodies_->spheres(spheres_);
@@ -130,16 +154,17 @@ void FixCoupleFoam::tell_motions()
 {
   clay::Interval interval;
   interval.time = update->get_cur_time() - last_time_;
-  FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
-  if (gravity) gravity->get_gravity(interval.gravity.data());
+  interval.gravity = usual_;
   if (domain->xperiodic || domain->yperiodic || domain->zperiodic)
     interval.nearest = [this](double *d) { domain->minimum_image(d); };
 
   clay::tell_motion(free_,spheres(),fluid_,interval,sent_);
   if (!bodies_) return;
   std::vector<clay::BodyMotion> motions(bodies_->n_body());
-  for (size_t b = 0; b < motions.size(); b++)
+  for (size_t b = 0; b < motions.size(); b++) {
     motions[b].known = bodies_->take_motion(b,motions[b].displacement.data(),motions[b].change.data());
+    for (int k = 0; k < 3; k++) motions[b].lift[k] = bodies_->hydrostatic(b)[k]/bodies_->body_mass(b);
+  }
   clay::tell_body_motion(spheres_,motions,interval,free_.size(),sent_);
 }
 
@@ -185,7 +210,7 @@ void FixCoupleFoam::take_answer()
     prompt_ = any;
   }
 
-  clay::unpack_free(answer_,atom->nlocal,atom->rmass,atom->mask,movers_,update->dt,fluid_,more_);
+  clay::unpack_free(answer_,sent_,hydrostatics(),atom->nlocal,atom->rmass,atom->mask,moving_,update->dt,fluid_,more_);
   if (bodies_) take_body_answers();
 }
 
@@ -202,12 +227,17 @@ void FixCoupleFoam::take_body_answers()
 
   const int first = sent_.size() - spheres_.size(), nbody = bodies_->n_body();
   if (clumps_) {
-    const auto flow = clay::unpack_bodies<BodyFlow>(answer_,first,spheres_,nbody,fluid_);
+    const auto flow = clay::unpack_bodies<BodyFlow>(answer_,sent_,hydrostatics(),first,spheres_,nbody,fluid_);
     for (int b = 0; b < nbody; b++) clumps_->set_flow(b,flow[b]);
   } else {
-    const auto drag = clay::unpack_bodies<BodyDrag>(answer_,first,spheres_,nbody,fluid_);
+    const auto drag = clay::unpack_bodies<BodyDrag>(answer_,sent_,hydrostatics(),first,spheres_,nbody,fluid_);
     for (int b = 0; b < nbody; b++) bodies_->set_drag(b,drag[b]);
   }
+
+  std::vector<std::array<double,3>> hydro(nbody);
+  for (const BodySphere &s : spheres_)
+    for (int k = 0; k < 3; k++) hydro[s.body][k] += fluid_[s.atom][Row::HYDRO+k];
+  for (int b = 0; b < nbody; b++) bodies_->set_hydrostatic(b,hydro[b].data());
 
   if (comm->nprocs > 1) comm->reverse_comm_fix(this);
 }
@@ -264,9 +294,7 @@ bool FixCoupleFoam::rest_step(double tolerance)
   if (pending_) take_answer();
   if (unseen_) {
     unseen_ = false;
-    double g[3] = {0.,0.,0.};
-    FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
-    if (gravity) gravity->get_gravity(g);
+    const std::array<double,3> g = gravity_.now().on(1 | groupbit);
     const double limit = tolerance*std::sqrt(g[0]*g[0] + g[1]*g[1] + g[2]*g[2]);
     int changed = still_forces_.changed(still_spheres(),limit), any;
     MPI_Allreduce(&changed,&any,1,MPI_INT,MPI_MAX,world);

@@ -86,6 +86,39 @@ TEST(PushSpheres, randomForceIsTheFluids)
   }
 }
 
+TEST(PushSpheres, theHydrostaticPartPushesAndIsNotTheFluidsToGive)
+{
+  const double dt = 0.02;
+  SphereStore s = falling(dt), h = falling(dt);
+  h.fluid[0][Row::HYDRO + 2] = 0.75 * load;
+  for (SphereStore *one : {&s, &h}) push_spheres({0}, one->fluid.rows(), one->arrays(), nullptr, dt, false);
+  EXPECT_EQ(h.f[0][2], s.f[0][2]);
+  EXPECT_NEAR(h.fluid[0][Row::FORCE + 2], s.fluid[0][Row::FORCE + 2] - 0.75 * load, 1e-18);
+  EXPECT_NEAR(h.fluid[0][Row::IMPULSE + 2], s.fluid[0][Row::IMPULSE + 2] - 0.5 * dt * 0.75 * load, 1e-18);
+}
+
+TEST(PushHeldSpheres, getTheWholeDragWhateverTheStep)
+{
+  for (double dt : {1e-6, 1e-2, 30.0}) {
+    SphereStore s = falling(dt);
+    s.v[0][2] = -0.1;
+    s.fluid[0][Row::HYDRO + 2] = load;
+    push_held_spheres({0}, s.fluid.rows(), s.arrays(), s.mask.data(), 0, nullptr, dt, true);
+    EXPECT_DOUBLE_EQ(s.f[0][2], weight + load + K * (u + 0.1));
+    push_held_spheres({0}, s.fluid.rows(), s.arrays(), s.mask.data(), 0, nullptr, dt, false);
+    EXPECT_NEAR(s.fluid[0][Row::IMPULSE + 2], dt * K * (u + 0.1), 1e-12 * dt * K);
+  }
+}
+
+TEST(PushHeldSpheres, whoseForcesWereTakenAwayGetNone)
+{
+  SphereStore s = falling(1e-3);
+  s.mask[0] = 1 | 4;
+  push_held_spheres({0}, s.fluid.rows(), s.arrays(), s.mask.data(), 4, nullptr, 1e-3, false);
+  EXPECT_EQ(s.f[0][2], weight);
+  EXPECT_GT(s.fluid[0][Row::IMPULSE + 2], 0.);
+}
+
 TEST(PushInertialSpheres, movesAsItsMassAndTheAddedOne)
 {
   const double added = 0.5e-5, dt = 0.02, v0 = -0.1, vinf = u + (weight + load) / K;
@@ -96,6 +129,14 @@ TEST(PushInertialSpheres, movesAsItsMassAndTheAddedOne)
   EXPECT_NEAR(v0 + dt / mass * s.f[0][2], vinf + (v0 - vinf) * std::exp(-K * dt / (mass + added)), 1e-12);
   EXPECT_DOUBLE_EQ(s.fluid[0][Row::IMPULSE + 2], 0.5 * dt * (s.f[0][2] - weight));
   EXPECT_EQ(s.torque[0][1], 0.);
+
+  SphereStore h = falling(dt);
+  h.inertia[0][InertiaRow::ADDED] = added;
+  h.v[0][2] = v0;
+  h.fluid[0][Row::HYDRO + 2] = load;
+  push_inertial_spheres({0}, h.fluid.rows(), h.inertia.rows(), h.arrays(), nullptr, dt, false);
+  EXPECT_EQ(h.f[0][2], s.f[0][2]);
+  EXPECT_NEAR(h.fluid[0][Row::IMPULSE + 2], 0.5 * dt * (s.f[0][2] - weight - load), 1e-18);
 }
 
 TEST(PushInertialSpheres, spinRelaxesExactly)
@@ -128,6 +169,9 @@ TEST(StillForces, whatTheFluidGivesASphereAtRest)
   still_force(s.fluid[0], force);
   EXPECT_EQ(force[0], 0.);
   EXPECT_DOUBLE_EQ(force[2], load + K * u);
+  s.fluid[0][Row::HYDRO + 2] = load;
+  still_force(s.fluid[0], force);
+  EXPECT_NEAR(force[2], K * u, 1e-18);
 }
 
 TEST(StillForces, changedByMoreThanALimit)

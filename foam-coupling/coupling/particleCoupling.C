@@ -260,6 +260,7 @@ Foam::particleCoupling::particleCoupling
         zeroGradientFvPatchScalarField::typeName
     ),
     gravity_(Zero),
+    lastImpulse_(Zero),
     solidVolume_(0),
     time_(mesh_.time().value()),
     lastInterval_(0),

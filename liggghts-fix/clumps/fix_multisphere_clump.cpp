@@ -27,7 +27,7 @@ FixMultisphereClump::FixMultisphereClump(LAMMPS *lmp, int narg, char **arg) :
   fflag_(*multisphere_.prop().getElementProperty<VectorContainer<bool,3> >("fflag")),
   tflag_(*multisphere_.prop().getElementProperty<VectorContainer<bool,3> >("tflag")),
   clumptype_(*multisphere_.prop().getElementProperty<ScalarContainer<int> >("clumptype")),
-  coupled_(false),
+  coupled_(false), given_{},
   gravity_(lmp),
   unsorted_(true), unturned_(true), natoms_(0)
 {
@@ -229,6 +229,16 @@ bool FixMultisphereClump::take_motion(int ibody, double *displacement, double *c
   }
   fluid.seen = 1.0;
   return known;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::take_given(double *impulse)
+{
+  for (int k = 0; k < 3; k++) {
+    impulse[k] += given_[k];
+    given_[k] = 0.0;
+  }
 }
 
 /* ---------------------------------------------------------------------- */

@@ -68,6 +68,10 @@ class FixMultisphereClump : public FixMultisphere {
   /// Impulse [N s] the fluid gave to a body since the last call, without buoyancy.
   void take_impulse(int ibody, double *impulse);
 
+  /// Adds what it gave to all of this processor's bodies since the last call, also to
+  /// those that are gone since.
+  void take_given(double *impulse);
+
   /// Adds to it what the fluid gave while the bodies kept still [N s].
   void add_impulse(int ibody, const double *impulse);
 
@@ -135,6 +139,7 @@ class FixMultisphereClump : public FixMultisphere {
   Store *store_;
   std::vector<const Matrix6d *> resistances_;  // by clump type; none for the sum over spheres
   bool coupled_;
+  double given_[3];  // since take_given() [N s]
   ScriptGravity gravity_;
   std::function<void()> before_;
   BodySpheres spheres_;

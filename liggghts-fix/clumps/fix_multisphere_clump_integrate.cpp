@@ -202,7 +202,11 @@ void FixMultisphereClump::apply_drag(int b, bool setupflag)
     torque[k] += T[k];
     // this step's first half was done with the force of the step before
     const double given = F[k] - fluid.hydro[k];
-    if (!setupflag) fluid.impulse[k] += half*(fluid.force[k] + given);
+    if (!setupflag) {
+      const double impulse = half*(fluid.force[k] + given);
+      fluid.impulse[k] += impulse;
+      given_[k] += impulse;
+    }
     fluid.force[k] = given;
   }
 }

@@ -124,7 +124,7 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   bool unseen_;                  // an answer has come that rest_step() has not compared
   int still_steps_;              // for so many steps since the last exchange
   clay::StillForces still_forces_;  // of the fluid when they came to rest
-  double given_[3];              // impulse given to this rank's particles [N s]
+  double given_[3];              // impulse given on this rank, to particles that are gone, too [N s]
 
   std::unique_ptr<clay::DemSession> session_;
   clay::Particles sent_, answer_;

@@ -83,9 +83,9 @@ void FixCoupleFoam::list_free()
 void FixCoupleFoam::apply(bool first)
 {
   if (listed_ != atom->nlocal) list_free();
-  if (more_) clay::push_inertial_spheres(yielding_,fluid_,more_,spheres(),random_.get(),update->dt,first);
-  else clay::push_spheres(yielding_,fluid_,spheres(),random_.get(),update->dt,first);
-  clay::push_held_spheres(held_,fluid_,spheres(),atom->mask,mute_,random_.get(),update->dt,first);
+  if (more_) clay::push_inertial_spheres(yielding_,fluid_,more_,spheres(),random_.get(),update->dt,first,given_);
+  else clay::push_spheres(yielding_,fluid_,spheres(),random_.get(),update->dt,first,given_);
+  clay::push_held_spheres(held_,fluid_,spheres(),atom->mask,mute_,random_.get(),update->dt,first,given_);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -100,8 +100,7 @@ void FixCoupleFoam::send(bool last)
   list_free();
   sent_.resize(free_.size() + spheres_.size());
   for (int i = 0; i < atom->nlocal; i++) fluid_[i][Row::SLOT] = -1;
-  const std::array<double,3> given = clay::pack_free(free_,spheres(),fluid_,still_,sent_);
-  for (int k = 0; k < 3; k++) given_[k] += given[k];
+  clay::pack_free(free_,spheres(),fluid_,still_,sent_);
   if (bodies_) pack_clumps(free_.size());
   tell_motions();
   if (sent_.fields().has(Field::position) && (domain->xperiodic || domain->yperiodic || domain->zperiodic))
@@ -123,6 +122,7 @@ void FixCoupleFoam::send(bool last)
 void FixCoupleFoam::pack_clumps(int first)
 {
   if (comm->nprocs > 1) comm->forward_comm_fix(this);
+  bodies_->take_given(given_);
 
   std::vector<clay::BodyState> states(bodies_->n_body());
   for (size_t b = 0; b < states.size(); b++) {
@@ -131,7 +131,6 @@ void FixCoupleFoam::pack_clumps(int first)
     s.mass = bodies_->body_mass(b);
     s.tag = bodies_->data().tag(b);
     bodies_->take_impulse(b,s.impulse.data());
-    for (int k = 0; k < 3; k++) given_[k] += s.impulse[k];
   }
   const std::vector<double> shares = clay::share_impulses(spheres_,states,fluid_,atom->v,still_,
                                                           update->get_cur_time() - last_time_);
@@ -277,11 +276,14 @@ void FixCoupleFoam::book_rest()
   double force[3];
   for (int i : free_) {
     clay::still_force(fluid_[i],force);
-    for (int k = 0; k < 3; k++) fluid_[i][Row::IMPULSE+k] += time*force[k];
+    for (int k = 0; k < 3; k++) {
+      fluid_[i][Row::IMPULSE+k] += time*force[k];
+      given_[k] += time*force[k];
+    }
   }
   for (const BodySphere &s : spheres_) {
     clay::still_force(fluid_[s.atom],force);
-    for (int k = 0; k < 3; k++) force[k] *= time;
+    for (int k = 0; k < 3; k++) given_[k] += force[k] *= time;
     bodies_->add_impulse(s.body,force);
   }
   still_steps_ = 0;

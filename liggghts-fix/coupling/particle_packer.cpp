@@ -42,25 +42,20 @@ void pack(const SphereArrays &spheres, int i, const Told &told, bool still, int 
 
 /* ---------------------------------------------------------------------- */
 
-std::array<double, 3> pack_free(const std::vector<int> &list, const SphereArrays &spheres,
-                                double *const *fluid, bool still, Particles &message)
+void pack_free(const std::vector<int> &list, const SphereArrays &spheres, double *const *fluid, bool still,
+               Particles &message)
 {
   const double third = 4. / 3. * M_PI;
-  std::array<double, 3> given{};
   int slot = 0;
   for (int i : list) {
     const double r = spheres.radius[i];
     double *impulse = fluid[i] + Row::IMPULSE;
     fluid[i][Row::SLOT] = slot;
     pack(spheres, i, {third * r * r * r, spheres.mass[i], -1., impulse}, still, slot++, message);
-    for (int k = 0; k < 3; k++) {
-      given[k] += impulse[k];
-      impulse[k] = 0.;
-    }
+    std::fill(impulse, impulse + 3, 0.);
   }
   for (Field f : {Field::dragDiameter, Field::dragFactor})
     if (message.fields().has(f)) std::fill(message[f], message[f] + slot, 0.);
-  return given;
 }
 
 /* ---------------------------------------------------------------------- */

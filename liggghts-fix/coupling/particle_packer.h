@@ -27,9 +27,9 @@ struct BodyState {
 
 /// Puts the listed spheres into the message, numbers them in their rows, and takes
 /// their impulses out of these. Spheres that are kept `still` have no velocity.
-/// Returns the sum of the impulses [N s]. The message must be large enough.
-std::array<double, 3> pack_free(const std::vector<int> &list, const SphereArrays &spheres,
-                                double *const *fluid, bool still, Particles &message);
+/// The message must be large enough.
+void pack_free(const std::vector<int> &list, const SphereArrays &spheres,
+               double *const *fluid, bool still, Particles &message);
 
 /// Impulse [N s] of each sphere of a body, three numbers a sphere: what its own drag
 /// and load gave it in `time` [s], and its part by drag coefficient (by volume where

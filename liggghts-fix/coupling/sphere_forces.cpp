@@ -14,7 +14,7 @@ using Row = FluidRow;
 /* ---------------------------------------------------------------------- */
 
 void push_spheres(const std::vector<int> &list, double *const *fluid, const SphereArrays &spheres,
-                  const RandomForce *random, double dt, bool first)
+                  const RandomForce *random, double dt, bool first, double *all)
 {
   double *const *v = spheres.v;
   double *const *f = spheres.f;
@@ -27,7 +27,11 @@ void push_spheres(const std::vector<int> &list, double *const *fluid, const Sphe
       const double load = s[Row::LOAD + k] + kick[k];
       const double force = load + (drag * (s[Row::VELOCITY + k] - v[i][k]) + rest * (f[i][k] + load));
       const double given = force - s[Row::HYDRO + k];
-      if (!first) s[Row::IMPULSE + k] += 0.5 * dt * (s[Row::FORCE + k] + given);
+      if (!first) {
+        const double impulse = 0.5 * dt * (s[Row::FORCE + k] + given);
+        s[Row::IMPULSE + k] += impulse;
+        all[k] += impulse;
+      }
       s[Row::FORCE + k] = given;
       f[i][k] += force;
     }
@@ -37,7 +41,7 @@ void push_spheres(const std::vector<int> &list, double *const *fluid, const Sphe
 /* ---------------------------------------------------------------------- */
 
 void push_held_spheres(const std::vector<int> &list, double *const *fluid, const SphereArrays &spheres,
-                       const int *groups, int mute, const RandomForce *random, double dt, bool first)
+                       const int *groups, int mute, const RandomForce *random, double dt, bool first, double *all)
 {
   for (int i : list) {
     double *s = fluid[i], kick[3] = {0., 0., 0.};
@@ -45,7 +49,11 @@ void push_held_spheres(const std::vector<int> &list, double *const *fluid, const
     for (int k = 0; k < 3; k++) {
       const double force = s[Row::LOAD + k] + kick[k] + s[Row::DRAG] * (s[Row::VELOCITY + k] - spheres.v[i][k]);
       const double given = force - s[Row::HYDRO + k];
-      if (!first) s[Row::IMPULSE + k] += 0.5 * dt * (s[Row::FORCE + k] + given);
+      if (!first) {
+        const double impulse = 0.5 * dt * (s[Row::FORCE + k] + given);
+        s[Row::IMPULSE + k] += impulse;
+        all[k] += impulse;
+      }
       s[Row::FORCE + k] = given;
       if (!(groups[i] & mute)) spheres.f[i][k] += force;
     }
@@ -55,7 +63,7 @@ void push_held_spheres(const std::vector<int> &list, double *const *fluid, const
 /* ---------------------------------------------------------------------- */
 
 void push_inertial_spheres(const std::vector<int> &list, double *const *fluid, double *const *inertia,
-                           const SphereArrays &spheres, const RandomForce *random, double dt, bool first)
+                           const SphereArrays &spheres, const RandomForce *random, double dt, bool first, double *all)
 {
   for (int i : list) {
     double *s = fluid[i], *v = spheres.v[i], *f = spheres.f[i], kick[3] = {0., 0., 0.};
@@ -64,7 +72,11 @@ void push_inertial_spheres(const std::vector<int> &list, double *const *fluid, d
       const double force = sphere_force(s[Row::DRAG], s[Row::VELOCITY + k], v[k], s[Row::LOAD + k] + kick[k],
                                         f[k], spheres.mass[i], inertia[i][InertiaRow::ADDED], dt);
       const double given = force - s[Row::HYDRO + k];
-      if (!first) s[Row::IMPULSE + k] += 0.5 * dt * (s[Row::FORCE + k] + given);
+      if (!first) {
+        const double impulse = 0.5 * dt * (s[Row::FORCE + k] + given);
+        s[Row::IMPULSE + k] += impulse;
+        all[k] += impulse;
+      }
       s[Row::FORCE + k] = given;
       f[k] += force;
     }

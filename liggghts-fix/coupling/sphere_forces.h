@@ -63,20 +63,21 @@ class RandomForce {
 };
 
 /// Adds the fluid's mean force over a step dt [s] to f of the spheres listed, and to
-/// the impulse they have received unless this is the `first` evaluation of a run. A
-/// force of step n acts over [n-1/2, n+1/2], and v is that of n-1/2. `random` may be null.
+/// the impulse they have received, and that all have, unless this is the `first` evaluation
+/// of a run. A force of step n acts over [n-1/2, n+1/2], and v is that of n-1/2. `random` may
+/// be null.
 void push_spheres(const std::vector<int> &list, double *const *fluid, const SphereArrays &spheres,
-                  const RandomForce *random, double dt, bool first);
+                  const RandomForce *random, double dt, bool first, double *all);
 
 /// The same for spheres that do not follow the forces on them: load + K (u - v), whatever
 /// dt. To f it is not added in the groups `mute`, by bits of the spheres' groups.
 void push_held_spheres(const std::vector<int> &list, double *const *fluid, const SphereArrays &spheres,
-                       const int *groups, int mute, const RandomForce *random, double dt, bool first);
+                       const int *groups, int mute, const RandomForce *random, double dt, bool first, double *all);
 
 /// The same with added mass and torque: the sphere's own inertia m gets what it
 /// needs to be as fast as m + added would be under all other forces.
 void push_inertial_spheres(const std::vector<int> &list, double *const *fluid, double *const *inertia,
-                           const SphereArrays &spheres, const RandomForce *random, double dt, bool first);
+                           const SphereArrays &spheres, const RandomForce *random, double dt, bool first, double *all);
 
 /// The fluid's couple on one sphere, solved exactly over a step.
 void turn_sphere(int i, double *const *inertia, const SphereArrays &spheres, const RandomForce *random,

@@ -68,7 +68,7 @@ TEST(PackFree, tellsOfTheListedAndTakesTheirImpulses)
   SphereStore s = spheres(4);
   Particles message(state);
   message.resize(2);
-  const std::array<double, 3> given = pack_free({1, 3}, s.arrays(), s.fluid.rows(), false, message);
+  pack_free({1, 3}, s.arrays(), s.fluid.rows(), false, message);
 
   for (int slot : {0, 1}) {
     const int i = slot ? 3 : 1;
@@ -87,7 +87,6 @@ TEST(PackFree, tellsOfTheListedAndTakesTheirImpulses)
       EXPECT_EQ(s.fluid[i][Row::IMPULSE + k], 0.);
     }
   }
-  for (int k = 0; k < 3; k++) EXPECT_EQ(given[k], 5. + 0.5 * k);
   EXPECT_EQ(s.fluid[0][Row::SLOT], -1.);
   EXPECT_EQ(s.fluid[2][Row::IMPULSE], 2.5);
 }

@@ -154,7 +154,9 @@ void Foam::particleCoupling::checkBuoyancy()
     const auto& g = session_->remoteTerms().gravity;
     gravity_ = vector(g[0], g[1], g[2]);
 
-    if (session_->remoteTerms().hasGravity && !properties_.has("buoyancy"))
+    const bool any =
+        mag(gravity_) > 0 || session_->receives().has(clay::Field::gravity);
+    if (any && !properties_.has("buoyancy"))
     {
         OStringStream os;
         os  << "forceModels " << listed(properties_.forces()).c_str()

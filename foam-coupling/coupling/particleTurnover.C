@@ -101,8 +101,11 @@ void Foam::particleTurnover::compare
                 before.insert(tag_[i]);
             }
         }
-        const labelHashSet came(nowhere((now - before).toc(), before));
-        const labelHashSet gone(nowhere((before - now).toc(), now));
+        labelHashSet fresh(now), missing(before);
+        fresh -= before;
+        missing -= now;
+        const labelHashSet came(nowhere(fresh.toc(), before));
+        const labelHashSet gone(nowhere(missing.toc(), now));
 
         came_.setSize(nCells, Zero);
         gone_.setSize(nCells, Zero);

@@ -322,7 +322,7 @@ void FixCoupleFoam::restart(char *buf)
 void FixCoupleFoam::pre_exchange()
 {
   listed_ = -1;
-  if (watch_) watch_->places();
+  if (watch_) watch_->places([this](int i) { return fluid_[i][Row::DRAG] <= 0.; });
   report_->places();
   if (pending_) take_answer();
 }

@@ -69,7 +69,7 @@ void RunawayWatch::step()
 
 /* ---------------------------------------------------------------------- */
 
-void RunawayWatch::places()
+void RunawayWatch::places(const std::function<bool(int)> &may_leave)
 {
   const int periodic[3] = {domain->xperiodic,domain->yperiodic,domain->zperiodic};
   for (int i = 0; i < atom->nlocal; i++)
@@ -78,7 +78,8 @@ void RunawayWatch::places()
       if (!std::isfinite(x)) stop(i,"is NaN",checked_);
       // a border that shrink-wraps moves along
       if (periodic[k] || domain->boundary[k][0] != 1 || domain->boundary[k][1] != 1) continue;
-      if (x < domain->boxlo[k] || x >= domain->boxhi[k]) stop(i,"was pushed out of the box (watch no lets particles leave it)",checked_);
+      if ((x < domain->boxlo[k] || x >= domain->boxhi[k]) && !may_leave(i))
+        stop(i,"was pushed out of the box (watch no lets particles leave it)",checked_);
     }
 }
 

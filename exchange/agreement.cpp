@@ -123,8 +123,8 @@ std::string periods(const DemTerms& dem, const CfdTerms& cfd) {
   for (int k = 0; k < 3; ++k) {
     const double theirs = (*cfd.period)[k], length = dem.box.hi[k] - dem.box.lo[k];
     if (!dem.periodic[k] || theirs < 0) continue;
-    const std::string ours = std::string("the DEM box is periodic along ") + "xyz"[k] + " with " +
-                             text(length) + " m, ";
+    const std::string ours =
+        std::string("the DEM box is periodic along ") + "xyz"[k] + " with " + text(length) + " m, ";
     if (theirs == 0) return ours + "the mesh has no cyclic patches there";
     if (differ(length, theirs, 1e-6 * length)) return ours + "the mesh with " + text(theirs) + " m";
   }

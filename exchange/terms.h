@@ -61,10 +61,10 @@ struct CfdTerms {
   /// Sides of the box through which particles may leave the fluid and come back: low x, high x,
   /// low y, ... On these none is lost, it just gets no force.
   std::array<bool, 6> open{};
-  bool overlap = true;                           ///< both halves march at the same time
-  FieldSet needs;                                ///< fields it must get
-  FieldSet accepts;                              ///< fields it can use when they are brought
-  FieldSet offers;                               ///< fields it can send
+  bool overlap = true;  ///< both halves march at the same time
+  FieldSet needs;       ///< fields it must get
+  FieldSet accepts;     ///< fields it can use when they are brought
+  FieldSet offers;      ///< fields it can send
 };
 
 /// Says in one line what does not fit, naming both values; empty when all fits.

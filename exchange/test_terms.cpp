@@ -260,13 +260,15 @@ TEST_F(Agreement, OfPeriods) {
   cfd.period = {{0, -1, 0}};
   EXPECT_EQ(line(), "") << "nothing flows along y";
   cfd.period = {{0, 0, 0}};
-  EXPECT_TRUE(says(line(), "the DEM box is periodic along y with 0.5 m, the mesh has no cyclic patches there"));
+  EXPECT_TRUE(says(
+      line(), "the DEM box is periodic along y with 0.5 m, the mesh has no cyclic patches there"));
   cfd.period = {{0, 0.75 * length, 0}};
   EXPECT_TRUE(says(line(), "the DEM box is periodic along y with 0.5 m, the mesh with 0.375 m"));
   dem.periodic = {};
   EXPECT_EQ(line(), "");
   ASSERT_EQ(clay::warnings(dem, cfd).size(), 1u);
-  EXPECT_TRUE(says(clay::warnings(dem, cfd)[0], "the mesh is cyclic along y, the DEM box is not periodic there"));
+  EXPECT_TRUE(says(clay::warnings(dem, cfd)[0],
+                   "the mesh is cyclic along y, the DEM box is not periodic there"));
 }
 
 TEST_F(Agreement, OfPlaces) {

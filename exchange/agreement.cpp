@@ -68,9 +68,8 @@ std::string oneHalfAlone(const DemTerms& dem, const CfdTerms& cfd) {
   if (!(dem.endTime >= dem.startTime))
     return "the DEM half's run ends at " + text(dem.endTime) + " s, before its start at " +
            text(dem.startTime) + " s";
-  if (dem.particles <= 0)
-    return "the DEM half's coupled group holds " + std::to_string(dem.particles) +
-           " particles; it must hold 1 or more";
+  if (dem.particles < 0)
+    return "the DEM half's coupled group holds " + std::to_string(dem.particles) + " particles";
   if (!(cfd.fluidDensity > 0))
     return "the CFD half's fluid density is " + text(cfd.fluidDensity) +
            " kg/m3; it must be above 0";
@@ -119,6 +118,20 @@ std::string boxes(const DemTerms& dem, const CfdTerms& cfd) {
          (disjoint ? "do not overlap" : "differ too much in size") + hint;
 }
 
+// A particle that leaves through a periodic side comes back at the other: so must the fluid
+std::string periods(const DemTerms& dem, const CfdTerms& cfd) {
+  if (!cfd.period || !stated(dem.box)) return "";
+  for (int k = 0; k < 3; ++k) {
+    const double theirs = (*cfd.period)[k], length = dem.box.hi[k] - dem.box.lo[k];
+    if (!dem.periodic[k] || theirs < 0) continue;
+    const std::string ours =
+        std::string("the DEM box is periodic along ") + "xyz"[k] + " with " + text(length) + " m, ";
+    if (theirs == 0) return ours + "the mesh has no cyclic patches there";
+    if (differ(length, theirs, 1e-6 * length)) return ours + "the mesh with " + text(theirs) + " m";
+  }
+  return "";
+}
+
 std::string fields(const DemTerms& dem, const CfdTerms& cfd) {
   const FieldSet cfdLacks = cfd.needs.without(dem.offers);
   if (!cfdLacks.empty())
@@ -142,15 +155,19 @@ std::string disagreement(const DemTerms& dem, const CfdTerms& cfd) {
     return "the halves speak different versions of the exchange: " + std::to_string(dem.wire) +
            " in the DEM half (" + dem.program + "), " + std::to_string(cfd.wire) +
            " in the CFD half (" + cfd.program + ")";
-  for (auto check : {oneHalfAlone, times, gravities, fields}) {
+  for (auto check : {oneHalfAlone, times, gravities, fields, periods}) {
     std::string line = check(dem, cfd);
     if (!line.empty()) return line;
   }
   return boxes(dem, cfd);
 }
 
-std::vector<std::string> warnings(const DemTerms& dem, const CfdTerms&) {
+std::vector<std::string> warnings(const DemTerms& dem, const CfdTerms& cfd) {
   std::vector<std::string> lines;
+  for (int k = 0; k < 3; ++k)
+    if (cfd.period && (*cfd.period)[k] > 0 && !dem.periodic[k])
+      lines.push_back(std::string("the mesh is cyclic along ") + "xyz"[k] +
+                      ", the DEM box is not periodic there: particles do not pass, the fluid does");
   if (!dem.hasGravity)
     lines.push_back("the DEM half has no gravity: particles get no weight and no buoyancy");
   return lines;

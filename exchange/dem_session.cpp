@@ -50,6 +50,7 @@ struct DemSession::Impl {
   std::vector<long> answeredIn;  // exchange in which a particle was answered
   const Particles* sent = nullptr;
   double lastTime = 0, sentAt = 0, reported = 0;
+  int away = 0;
   bool late = false;
   bool open = false, awaiting = false, arrived = false, runOver = false;
   Timing timing;
@@ -84,6 +85,7 @@ struct DemSession::Impl {
   void pack(const Particles& particles, const Routing::Route& route, RemoteRank& remote);
   bool test();
   void unpack(Particles& answer);
+  bool left(int i) const;
   [[noreturn]] void lost(int i) const;
 };
 
@@ -110,6 +112,16 @@ bool DemSession::Impl::test() {
   PMPI_Testall(static_cast<int>(in.size()), in.data(), &done, inStatus.data());
   arrived = done;
   return arrived;
+}
+
+// Through an open side of the mesh's box
+bool DemSession::Impl::left(int i) const {
+  const double* x = (*sent)[Field::position] + 3 * i;
+  const auto& cfd = terms.cfd;
+  for (std::size_t k = 0; k < 3; ++k)
+    if ((x[k] < cfd.box.lo[k] && cfd.open[2 * k]) || (x[k] > cfd.box.hi[k] && cfd.open[2 * k + 1]))
+      return true;
+  return false;
 }
 
 void DemSession::Impl::lost(int i) const {
@@ -155,8 +167,16 @@ void DemSession::Impl::unpack(Particles& answer) {
         std::copy(from, from + c, to + c * particles[static_cast<std::size_t>(index[a])]);
     }
   }
-  for (int i = 0; i < n; ++i)
-    if (answeredIn[static_cast<std::size_t>(i)] < 0) lost(i);
+  away = 0;
+  for (int i = 0; i < n; ++i) {
+    if (answeredIn[static_cast<std::size_t>(i)] >= 0) continue;
+    if (!left(i)) lost(i);
+    ++away;
+    for (unsigned k = 0; k < fieldCount; ++k) {
+      const auto f = static_cast<Field>(k);
+      if (receives.has(f)) std::fill_n(answer[f] + components(f) * i, components(f), 0.);
+    }
+  }
 }
 
 DemSession::DemSession(const DemTerms& mine) : impl_(new Impl) {
@@ -175,6 +195,7 @@ DemSession::~DemSession() {
 }
 
 double DemSession::reported() const { return impl_->reported; }
+int DemSession::away() const { return impl_->away; }
 bool DemSession::late() const { return impl_->late; }
 const CfdTerms& DemSession::remoteTerms() const { return impl_->terms.cfd; }
 const FieldSet& DemSession::sends() const { return impl_->sends; }

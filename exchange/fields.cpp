@@ -15,11 +15,12 @@ struct FieldFacts {
 
 // in the order of enum Field
 constexpr FieldFacts facts[] = {
-    {"position", 3},     {"radius", 1},       {"volume", 1},          {"velocity", 3},
-    {"tag", 1},          {"body", 1},         {"impulse", 3},         {"mass", 1},
-    {"spin", 3},         {"meanVelocity", 3}, {"otherForce", 3},      {"touched", 1},
-    {"dragDiameter", 1}, {"dragFactor", 1},   {"dragCoefficient", 1}, {"fluidVelocity", 3},
-    {"force", 3},        {"addedMass", 1},    {"turnCoefficient", 1}, {"fluidSpin", 3},
+    {"position", 3},      {"radius", 1},       {"volume", 1},     {"velocity", 3},
+    {"tag", 1},           {"body", 1},         {"impulse", 3},    {"mass", 1},
+    {"spin", 3},          {"meanVelocity", 3}, {"otherForce", 3}, {"touched", 1},
+    {"gravity", 3},       {"dragDiameter", 1}, {"dragFactor", 1}, {"dragCoefficient", 1},
+    {"fluidVelocity", 3}, {"force", 3},        {"addedMass", 1},  {"turnCoefficient", 1},
+    {"fluidSpin", 3},
 };
 static_assert(sizeof(facts) / sizeof(facts[0]) == fieldCount, "one line a field");
 

@@ -20,12 +20,13 @@ enum class Field : unsigned {
   velocity,      ///< velocity of the centre [m/s], 3
   tag,           ///< the DEM half's particle number, 1
   body,          ///< number of the clump it belongs to, -1 for none, 1
-  impulse,       ///< impulse received from the fluid since the last exchange [N s], 3
+  impulse,       ///< received from the fluid since the last exchange, without buoyancy [N s], 3
   mass,          ///< mass it stands for [kg], 1
   spin,          ///< angular velocity [rad/s], 3
   meanVelocity,  ///< displacement over time since the last exchange [m/s], 3
   otherForce,    ///< mean of all forces but the fluid's since the last exchange [N], 3
   touched,       ///< 1 when more than gravity was among them, else 0, 1
+  gravity,       ///< on it, when that changes or is not the same for all [m/s2], 3
   dragDiameter,  ///< diameter in the drag law, of its clump [m], 1
   dragFactor,    ///< its clump's drag alone over Stokes' with that diameter, 0 for a free sphere, 1
   // CFD to DEM

@@ -66,6 +66,9 @@ class DemSession {
   /// rank; 0 before the first.
   double reported() const;
 
+  /// Number of particles sent from this rank that the last answer found beyond an open side of
+  /// the mesh: their answers are zeros.
+  int away() const;
   /// True when the last answer was given after the fluid of its interval was solved,
   /// by what this rank has heard.
   bool late() const;

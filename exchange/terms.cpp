@@ -72,6 +72,7 @@ std::string encode(const DemTerms& t) {
               {"gravity", t.gravity},
               {"hasGravity", t.hasGravity},
               {"box", text(t.box)},
+              {"periodic", t.periodic},
               {"particles", t.particles},
               {"maxRadius", t.maxRadius},
               {"offers", t.offers.names()},
@@ -89,6 +90,8 @@ std::string encode(const CfdTerms& t) {
          {"fluidDensity", t.fluidDensity},
          {"fluidViscosity", t.fluidViscosity},
          {"box", text(t.box)},
+         {"buoyancy", t.buoyancy},
+         {"open", t.open},
          {"overlap", t.overlap},
          {"needs", t.needs.names()},
          {"accepts", t.accepts.names()},
@@ -96,6 +99,7 @@ std::string encode(const CfdTerms& t) {
   if (t.endTime) j["endTime"] = *t.endTime;
   if (t.couplingInterval) j["couplingInterval"] = *t.couplingInterval;
   if (t.gravity) j["gravity"] = *t.gravity;
+  if (t.period) j["period"] = *t.period;
   return j.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -108,6 +112,7 @@ DemTerms decodeDem(const std::string& s) {
     t.gravity = triple(j.at("gravity"));
     t.hasGravity = j.at("hasGravity").get<bool>();
     t.box = box(j.at("box"));
+    t.periodic = j.at("periodic").get<std::array<bool, 3>>();
     t.particles = j.at("particles").get<long>();
     t.maxRadius = number(j.at("maxRadius"));
     t.offers = fields(j.at("offers"));
@@ -123,6 +128,8 @@ CfdTerms decodeCfd(const std::string& s) {
     t.fluidDensity = number(j.at("fluidDensity"));
     t.fluidViscosity = number(j.at("fluidViscosity"));
     t.box = box(j.at("box"));
+    t.buoyancy = j.at("buoyancy").get<bool>();
+    t.open = j.at("open").get<std::array<bool, 6>>();
     t.overlap = j.at("overlap").get<bool>();
     t.needs = fields(j.at("needs"));
     t.accepts = fields(j.at("accepts"));
@@ -130,6 +137,7 @@ CfdTerms decodeCfd(const std::string& s) {
     if (j.contains("endTime")) t.endTime = number(j["endTime"]);
     if (j.contains("couplingInterval")) t.couplingInterval = number(j["couplingInterval"]);
     if (j.contains("gravity")) t.gravity = triple(j["gravity"]);
+    if (j.contains("period")) t.period = triple(j["period"]);
   });
 }
 

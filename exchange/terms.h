@@ -14,8 +14,8 @@
 namespace clay {
 
 /// Both halves must speak the same version of the wire.
-constexpr int wireVersion = 5;
-static_assert(fieldCount == 20, "another list of fields is another version of the wire");
+constexpr int wireVersion = 6;
+static_assert(fieldCount == 21, "another list of fields is another version of the wire");
 
 /// Raised, on every rank of both halves, when the halves do not fit.
 class Refusal : public std::runtime_error {
@@ -34,6 +34,7 @@ struct DemTerms {
   std::array<double, 3> gravity{};  ///< [m/s2], zero without fix gravity
   bool hasGravity = false;          ///< fix gravity is there
   Box box;                          ///< simulation box [m]
+  std::array<bool, 3> periodic{};   ///< along x, y, z
   long particles = 0;               ///< number of particles in the coupled group
   double maxRadius = 0;             ///< [m]
   FieldSet offers;                  ///< fields it can send
@@ -53,10 +54,17 @@ struct CfdTerms {
   double fluidDensity = 0;                       ///< [kg/m3]
   double fluidViscosity = 0;                     ///< dynamic [Pa s]
   Box box;                                       ///< bounds of the whole mesh [m]
-  bool overlap = true;                           ///< both halves march at the same time
-  FieldSet needs;                                ///< fields it must get
-  FieldSet accepts;                              ///< fields it can use when they are brought
-  FieldSet offers;                               ///< fields it can send
+  bool buoyancy = false;                         ///< its force holds -rho V g on each particle
+  /// Length after which the mesh repeats along x, y, z [m]; 0 where it ends, below 0 where the
+  /// flow does not vary. Empty if it is not known.
+  std::optional<std::array<double, 3>> period;
+  /// Sides of the box through which particles may leave the fluid and come back: low x, high x,
+  /// low y, ... On these none is lost, it just gets no force.
+  std::array<bool, 6> open{};
+  bool overlap = true;  ///< both halves march at the same time
+  FieldSet needs;       ///< fields it must get
+  FieldSet accepts;     ///< fields it can use when they are brought
+  FieldSet offers;      ///< fields it can send
 };
 
 /// Says in one line what does not fit, naming both values; empty when all fits.

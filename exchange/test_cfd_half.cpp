@@ -100,6 +100,7 @@ int main(int argc, char** argv) {
   });
   auto terms = halves::cfdTerms();
   terms.gravity = {{0, 0, -9.81}};
+  terms.open[1] = scenario == "leaves";
   if (scenario == "refused") terms.endTime = halves::demTerms().endTime;
   int status = 0, k = 0;
   try {
@@ -110,7 +111,7 @@ int main(int argc, char** argv) {
         case clay::CfdSession::Event::state:
           if (k == 3) halves::dieAs(scenario, "cfd");
           if (k == 3 && rank == 0) halves::dieAs(scenario, "cfd0");
-          step(session, particles, k++, scenario == "lost");
+          step(session, particles, k++, scenario == "lost" || scenario == "leaves");
           break;
         case clay::CfdSession::Event::resumed:
           halves::expect(k == halves::exchanges, "a further run after the last state");

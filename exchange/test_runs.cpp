@@ -214,6 +214,12 @@ TEST(Ends, WhenAParticleLeavesTheMesh) {
   EXPECT_TRUE(o.says(cfdStops + "particle 18 at")) << o.text;
 }
 
+TEST(Runs, WithAParticleBeyondAnOpenSide) {
+  const Outcome o = run("leaves", 2, 3);
+  EXPECT_EQ(o.code, 0) << o.text;
+  EXPECT_TRUE(o.says("DEM half done after")) << o.text;
+}
+
 TEST(Ends, AfterTheOtherHalfHasSavedItsState) {
   const Outcome o = run("dem:error", 1, 3, "TEST_SAVE_SECONDS=3");
   expectEnd(o, "CFD rank 0 saved its state: test_dem_half ended");

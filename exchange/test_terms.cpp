@@ -146,6 +146,7 @@ TEST(Text, BringsTheDemTermsBackBitByBit) {
   t.step = 1. / 3e5;
   t.endTime = 0.1 + 0.2;
   t.brings = {Field::dragFactor};
+  t.periodic = {{true, false, true}};
   t.clumpDrag = "resistance";
   const DemTerms u = clay::decodeDem(clay::encode(t));
   EXPECT_EQ(u.step, t.step);
@@ -156,6 +157,7 @@ TEST(Text, BringsTheDemTermsBackBitByBit) {
   EXPECT_EQ(u.hasGravity, t.hasGravity);
   EXPECT_EQ(u.box.lo, t.box.lo);
   EXPECT_EQ(u.box.hi, t.box.hi);
+  EXPECT_EQ(u.periodic, t.periodic);
   EXPECT_EQ(u.particles, t.particles);
   EXPECT_EQ(u.maxRadius, t.maxRadius);
   EXPECT_EQ(u.offers, t.offers);
@@ -168,6 +170,9 @@ TEST(Text, BringsTheCfdTermsBackWithWhatIsNotStated) {
   CfdTerms t = halves::cfdTerms();
   t.gravity = {{0, 0, -9.81}};
   t.overlap = false;
+  t.buoyancy = true;
+  t.open = {{false, true, false, false, true, false}};
+  t.period = {{0.3, 0, -1}};
   t.accepts = {Field::dragDiameter, Field::dragFactor};
   const CfdTerms u = clay::decodeCfd(clay::encode(t));
   EXPECT_FALSE(u.endTime.has_value());
@@ -175,6 +180,9 @@ TEST(Text, BringsTheCfdTermsBackWithWhatIsNotStated) {
   ASSERT_TRUE(u.gravity.has_value());
   EXPECT_EQ(*u.gravity, *t.gravity);
   EXPECT_FALSE(u.overlap);
+  EXPECT_TRUE(u.buoyancy);
+  EXPECT_EQ(u.open, t.open);
+  EXPECT_EQ(u.period, t.period);
   EXPECT_EQ(u.fluidDensity, t.fluidDensity);
   EXPECT_EQ(u.fluidViscosity, t.fluidViscosity);
   EXPECT_EQ(u.needs, t.needs);
@@ -213,6 +221,8 @@ class Agreement : public testing::Test {
 TEST_F(Agreement, Fits) {
   EXPECT_EQ(line(), "");
   EXPECT_TRUE(clay::warnings(dem, cfd).empty());
+  dem.particles = 0;
+  EXPECT_EQ(line(), "") << "particles may come later";
   cfd.endTime = dem.endTime + 0.4 * dem.step;
   cfd.couplingInterval = 2e-4;
   cfd.gravity = dem.gravity;
@@ -252,6 +262,27 @@ TEST_F(Agreement, OfGravities) {
   EXPECT_EQ(line(), "");
   ASSERT_EQ(clay::warnings(dem, cfd).size(), 1u);
   EXPECT_TRUE(says(clay::warnings(dem, cfd)[0], "no gravity"));
+}
+
+TEST_F(Agreement, OfPeriods) {
+  const double length = dem.box.hi[1] - dem.box.lo[1];
+  dem.periodic = {{false, true, false}};
+  EXPECT_EQ(line(), "") << "the CFD half does not state any";
+  cfd.period = {{0, length, 0}};
+  EXPECT_EQ(line(), "");
+  EXPECT_TRUE(clay::warnings(dem, cfd).empty());
+  cfd.period = {{0, -1, 0}};
+  EXPECT_EQ(line(), "") << "nothing flows along y";
+  cfd.period = {{0, 0, 0}};
+  EXPECT_TRUE(says(
+      line(), "the DEM box is periodic along y with 0.5 m, the mesh has no cyclic patches there"));
+  cfd.period = {{0, 0.75 * length, 0}};
+  EXPECT_TRUE(says(line(), "the DEM box is periodic along y with 0.5 m, the mesh with 0.375 m"));
+  dem.periodic = {};
+  EXPECT_EQ(line(), "");
+  ASSERT_EQ(clay::warnings(dem, cfd).size(), 1u);
+  EXPECT_TRUE(says(clay::warnings(dem, cfd)[0],
+                   "the mesh is cyclic along y, the DEM box is not periodic there"));
 }
 
 TEST_F(Agreement, OfPlaces) {
@@ -307,8 +338,8 @@ TEST_F(Agreement, NeedsSoundNumbers) {
   dem.step = -1;
   EXPECT_TRUE(says(line(), "time step is -1 s; it must be above 0"));
   dem = halves::demTerms();
-  dem.particles = 0;
-  EXPECT_TRUE(says(line(), "holds 0 particles"));
+  dem.particles = -1;
+  EXPECT_TRUE(says(line(), "holds -1 particles"));
   dem = halves::demTerms();
   dem.endTime = -1;
   EXPECT_TRUE(says(line(), "ends at -1 s, before its start at 0 s"));

@@ -146,6 +146,24 @@ void Foam::momentumLedger::settle
 }
 
 
+void Foam::momentumLedger::settleGone
+(
+    const vector& impulse,
+    const scalarField& gone,
+    const smoothingModel& smoothing
+)
+{
+    const scalar volume = gSum(gone);
+    if (volume > 0)
+    {
+        vectorField received(impulse*gone/(volume*mesh_.V()));
+        smooth(smoothing, received);
+        owed_.primitiveFieldRef() -= received;
+        owed_.correctBoundaryConditions();
+    }
+}
+
+
 void Foam::momentumLedger::setSources
 (
     const dispersedParticles& p,

@@ -7,6 +7,7 @@
 
 #include "OSspecific.H"
 #include "OStringStream.H"
+#include "meshPeriod.H"
 #include "fvc.H"
 #include "savedState.H"
 #include "turbulenceModel.H"
@@ -144,7 +145,10 @@ clay::CfdTerms Foam::particleCoupling::terms() const
         Field::tag, Field::impulse, Field::mass, Field::meanVelocity,
         Field::otherForce, Field::touched
     };
-    t.accepts = {Field::dragDiameter, Field::dragFactor};
+    t.buoyancy = properties_.has("buoyancy");
+    t.period = meshPeriod(mesh_);
+    t.open = openSides(mesh_);
+    t.accepts = {Field::dragDiameter, Field::dragFactor, Field::gravity};
     t.offers =
     {
         Field::dragCoefficient, Field::fluidVelocity, Field::force
@@ -171,7 +175,9 @@ void Foam::particleCoupling::checkBuoyancy()
     const auto& g = session_->remoteTerms().gravity;
     gravity_ = vector(g[0], g[1], g[2]);
 
-    if (mag(gravity_) > 0 && !properties_.has("buoyancy"))
+    const bool any =
+        mag(gravity_) > 0 || session_->receives().has(clay::Field::gravity);
+    if (any && !properties_.has("buoyancy"))
     {
         OStringStream os;
         os  << "forceModels " << listed(properties_.forces()).c_str()
@@ -280,6 +286,7 @@ Foam::particleCoupling::particleCoupling
         zeroGradientFvPatchScalarField::typeName
     ),
     gravity_(Zero),
+    lastImpulse_(Zero),
     solidVolume_(0),
     time_(mesh_.time().value() - properties_.timeOffset()),
     lastInterval_(0),

@@ -32,6 +32,12 @@ void Foam::particleCoupling::take()
         vectors(Field::spin, p.spin);
     }
 
+    if (received_.fields().has(Field::gravity))
+    {
+        p.gravity.setSize(p.size());
+        vectors(Field::gravity, p.gravity);
+    }
+
     const auto scalars = [&](Field f, scalarField& to)
     {
         if (received_.fields().has(f))
@@ -112,6 +118,7 @@ void Foam::particleCoupling::map()
         kept_.allMoved(p) ? nullptr : &kept_.moved()
     );
     kept_.keep(p);
+    turnover_.compare(p, mesh_.nCells());
 
     scalar volume = 0;
     label outside = 0, larger = 0;
@@ -181,15 +188,35 @@ void Foam::particleCoupling::exchangeMomentum()
     ledger_.settle
     (
         p,
-        elapsed()*forces_.hydrostaticForces(p, fluid),
+        vectorField(p.size(), Zero),    // impulses come without buoyancy
         smoothing_()
     );
 
     const auto impulse = session_->impulse();
+    const vector total(impulse[0], impulse[1], impulse[2]);
+    if (turnover_.any())
+    {
+        vector known(Zero);
+        forAll(p.owned, i)
+        {
+            if (p.owned[i])
+            {
+                known += p.impulse[i];
+            }
+        }
+        reduce(known, sumOp<vector>());
+        ledger_.settleGone
+        (
+            total - lastImpulse_ - known,
+            turnover_.gone(),
+            smoothing_()
+        );
+    }
+    lastImpulse_ = total;
     stats_.momentumResidual = max
     (
         stats_.momentumResidual,
-        ledger_.residual(vector(impulse[0], impulse[1], impulse[2]))
+        ledger_.residual(total)
     );
 
     // with the answer foreseen no lag of the pressure is left to be damped
@@ -305,7 +332,8 @@ void Foam::particleCoupling::foreseeAnswer()
         q.load =
             forces_.hydrostatic[i] + forces_.reacting[i] - pressureForce_[i];
         q.mean = p.meanVelocity[i];
-        q.impulse = p.impulse[i];
+        // of all that the fluid does, buoyancy among it
+        q.impulse = p.impulse[i] + lastInterval_*forces_.hydrostatic[i];
         q.other = p.otherForce[i];
         q.touched = p.touched[i];
     }
@@ -426,16 +454,22 @@ bool Foam::particleCoupling::next()
             continue;
         }
 
+        scalarField jump;
+        if (turnover_.any())
+        {
+            jump = (turnover_.gone() - turnover_.came())/mesh_.V();
+            smoothing_().smooth(jump);
+        }
         const bool changed = history_.begin
         (
-            ddtType_, particles_, smoothing_(), solidVolume_, interval_
+            ddtType_, particles_, smoothing_(), solidVolume_, interval_, jump
         );
         if (changed)
         {
             stats_.warn
             (
-                "the particles' volume has changed (inserted or deleted): no"
-                " flow is made of that"
+                "particles were inserted or deleted: no flow is made of their"
+                " volume"
             );
         }
         ledger_.begin(interval_);

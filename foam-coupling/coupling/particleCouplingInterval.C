@@ -31,7 +31,8 @@ void Foam::particleCoupling::foretell(const scalar interval)
         // weight without buoyancy = 3 pi mu d v (1 + 0.15 Re^0.687)
         const scalar d = 2*p.radius[i];
         const scalar stokes =
-            mag(p.mass[i] - rho_*p.volume[i])*mag(gravity_)
+            mag(p.mass[i] - rho_*p.volume[i])
+           *mag(p.gravity.size() ? p.gravity[i] : gravity_)
            /(3*constant::mathematical::pi*rho_*nu_*d);
         scalar v = stokes;
         for (label k = 0; k < 40; ++k)

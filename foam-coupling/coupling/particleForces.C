@@ -396,14 +396,32 @@ Foam::tmp<Foam::vectorField> Foam::particleForces::hydrostaticForces
 ) const
 {
     vectorField one(1, Zero);
-    // all ranks alike: the listed forces, by what they are
-    for (const forceModel& force : forces_)
+    const auto density = [&](const fluidState& around)
     {
-        // all ranks alike
-        if (!force.onFluid())
+        one[0] = Zero;
+        // all ranks alike: the listed forces, by what they are
+        for (const forceModel& force : forces_)
         {
-            force.add(fluid, one);
+            // all ranks alike
+            if (!force.onFluid())
+            {
+                force.add(around, one);
+            }
         }
+        return one[0];
+    };
+
+    if (p.gravity.empty())
+    {
+        return p.volume*density(fluid);
     }
-    return p.volume*one[0];
+
+    auto total = tmp<vectorField>::New(p.size());
+    fluidState around(fluid);
+    forAll(p.gravity, i)
+    {
+        around.gravity = p.gravity[i];
+        total.ref()[i] = p.volume[i]*density(around);
+    }
+    return total;
 }

@@ -121,7 +121,8 @@ bool Foam::voidFractionHistory::begin
     const dispersedParticles& p,
     const smoothingModel& smoothing,
     const scalar solidVolume,
-    const scalar T
+    const scalar T,
+    const scalarField& jump
 )
 {
     const scalarField& mapped = mapped_.primitiveField();
@@ -130,7 +131,19 @@ bool Foam::voidFractionHistory::begin
         solidVolume_ >= 0
      && mag(solidVolume - solidVolume_) > 1e-9*max(solidVolume, solidVolume_);
 
-    start_ = (fresh_ || changed) ? mapped : end_;
+    if (fresh_ || (changed && jump.empty()))
+    {
+        start_ = mapped;
+    }
+    else if (jump.size())
+    {
+        // only what moved drives the fluid
+        start_ = max(min(end_ + jump, scalar(1)), min(end_, mapped));
+    }
+    else
+    {
+        start_ = end_;
+    }
 
     // a short interval takes its share of the change, the rest comes later
     const scalar share = lastInterval_ > 0 ? min(1.0, T/lastInterval_) : 1;

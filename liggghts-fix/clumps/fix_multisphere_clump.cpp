@@ -7,6 +7,8 @@
 
 #include "clumps/fix_multisphere_clump.h"
 
+#include <limits>
+
 #include "domain.h"
 #include "error.h"
 #include "update.h"
@@ -25,7 +27,8 @@ FixMultisphereClump::FixMultisphereClump(LAMMPS *lmp, int narg, char **arg) :
   fflag_(*multisphere_.prop().getElementProperty<VectorContainer<bool,3> >("fflag")),
   tflag_(*multisphere_.prop().getElementProperty<VectorContainer<bool,3> >("tflag")),
   clumptype_(*multisphere_.prop().getElementProperty<ScalarContainer<int> >("clumptype")),
-  coupled_(false),
+  coupled_(false), given_{},
+  gravity_(lmp),
   unsorted_(true), unturned_(true), natoms_(0)
 {
   store_ = multisphere_.prop().addElementProperty<Store>(
@@ -89,6 +92,24 @@ void FixMultisphereClump::sort_spheres()
   }
 }
 
+/* ----------------------------------------------------------------------
+   plain multisphere takes spheres out here
+------------------------------------------------------------------------- */
+
+void FixMultisphereClump::pre_exchange()
+{
+  if (before_) before_();
+  FixMultisphere::pre_exchange();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::init()
+{
+  FixMultisphere::init();
+  gravity_.find();
+}
+
 /* ---------------------------------------------------------------------- */
 
 void FixMultisphereClump::spheres(std::vector<BodySphere> &list)
@@ -111,15 +132,39 @@ void FixMultisphereClump::spheres(std::vector<BodySphere> &list)
 
 void FixMultisphereClump::set_drag(int ibody, const BodyDrag &drag)
 {
-  stored(ibody).drag.set(drag,multisphere_.mass(ibody),inertia_(ibody),update->dt);
+  double mass, inertia[3];
+  response_mass(ibody,mass,inertia);
+  stored(ibody).drag.set(drag,mass,inertia,update->dt);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixMultisphereClump::set_flow(int b, const BodyFlow &flow, double scale)
 {
-  stored(b).whole.set(flow,*resistances_[clumptype_(b)],scale,axes(b),multisphere_.mass(b),
-                      inertia_(b),update->dt);
+  double mass, inertia[3];
+  response_mass(b,mass,inertia);
+  stored(b).whole.set(flow,*resistances_[clumptype_(b)],scale,axes(b),mass,inertia,update->dt);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::set_hydrostatic(int ibody, const double *force)
+{
+  std::copy(force,force + 3,stored(ibody).hydro);
+}
+
+/* ----------------------------------------------------------------------
+   mass and inertia of a body as its motion shows them: none of its
+   template's fflag, tflag set, no force changes it
+------------------------------------------------------------------------- */
+
+void FixMultisphereClump::response_mass(int b, double &mass, double *inertia)
+{
+  const bool *moves = fflag_(b), *turns = tflag_(b);
+  const double infinity = std::numeric_limits<double>::infinity();
+  mass = moves[0] || moves[1] || moves[2] ? multisphere_.mass(b) : infinity;
+  const bool turning = turns[0] || turns[1] || turns[2];
+  for (int k = 0; k < 3; k++) inertia[k] = turning ? inertia_(b)[k] : infinity;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -144,12 +189,13 @@ Eigen::Matrix3d FixMultisphereClump::axes(int b)
 
 /* ---------------------------------------------------------------------- */
 
-void FixMultisphereClump::couple()
+void FixMultisphereClump::couple(const std::function<void()> &before)
 {
   if (CAdd_ != 0.)
     error->all(FLERR,"Fix multisphere/clump: CAddRhoFluid gives added mass that the fluid does not know of; "
                      "leave it out under fix couple/foam");
   coupled_ = true;
+  before_ = before;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -157,6 +203,7 @@ void FixMultisphereClump::couple()
 void FixMultisphereClump::uncouple()
 {
   coupled_ = false;
+  before_ = nullptr;
   resistances_.clear();
   for (int b = 0; b < multisphere_.n_body(); b++) stored(b).owner = 0.0;
 }
@@ -182,6 +229,16 @@ bool FixMultisphereClump::take_motion(int ibody, double *displacement, double *c
   }
   fluid.seen = 1.0;
   return known;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::take_given(double *impulse)
+{
+  for (int k = 0; k < 3; k++) {
+    impulse[k] += given_[k];
+    given_[k] = 0.0;
+  }
 }
 
 /* ---------------------------------------------------------------------- */

@@ -16,11 +16,13 @@ FixStyle(multisphere/clump,FixMultisphereClump)
 #define LMP_FIX_MULTISPHERE_CLUMP_H
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "clumps/body_drag.h"
 #include "clumps/body_resistance.h"
 #include "clumps/body_spheres.h"
+#include "clumps/script_gravity.h"
 #include "fix_multisphere.h"
 
 namespace LAMMPS_NS {
@@ -29,9 +31,11 @@ class FixMultisphereClump : public FixMultisphere {
  public:
   FixMultisphereClump(class LAMMPS *, int, char **);
 
+  void init();
   void initial_integrate(int vflag);
   void final_integrate();
   void calc_force(bool setupflag);
+  void pre_exchange();
   void pre_neighbor();
 
   /// All spheres of this processor's bodies, ghosts among them; valid until the
@@ -40,6 +44,10 @@ class FixMultisphereClump : public FixMultisphere {
 
   /// Takes the fluid's action on a body, until it is given anew.
   void set_drag(int ibody, const BodyDrag &drag);
+
+  /// Its part that the hydrostatic pressure has [N], which is left out of the impulse.
+  void set_hydrostatic(int ibody, const double *force);
+  const double *hydrostatic(int ibody) { return stored(ibody).hydro; }
 
   /// From now on set_flow() is called in place of set_drag(): the resistance for
   /// unit viscosity of each clump type, about the centre of mass in body axes.
@@ -57,8 +65,12 @@ class FixMultisphereClump : public FixMultisphere {
   Eigen::Matrix3d axes(int ibody);
   Eigen::Vector3d velocity(int ibody) { return Eigen::Vector3d(vcm_(ibody)); }
 
-  /// Impulse [N s] the fluid gave to a body since the last call.
+  /// Impulse [N s] the fluid gave to a body since the last call, without buoyancy.
   void take_impulse(int ibody, double *impulse);
+
+  /// Adds what it gave to all of this processor's bodies since the last call, also to
+  /// those that are gone since.
+  void take_given(double *impulse);
 
   /// Adds to it what the fluid gave while the bodies kept still [N s].
   void add_impulse(int ibody, const double *impulse);
@@ -67,8 +79,9 @@ class FixMultisphereClump : public FixMultisphere {
   /// since the last call; false, with zeros, when there was none for this body.
   bool take_motion(int ibody, double *displacement, double *change);
 
-  /// Switches the fluid on; without it this is plain multisphere.
-  void couple();
+  /// Switches the fluid on; without it this is plain multisphere. before() is called
+  /// before spheres may change places in memory: bodies that left the box are taken out.
+  void couple(const std::function<void()> &before = [] {});
 
   /// Switches it off and forgets it.
   void uncouple();
@@ -84,7 +97,8 @@ class FixMultisphereClump : public FixMultisphere {
       DragStep drag;
       ResistanceStep whole;  // with resistances_
     };
-    double force[3];    // of the last step [N]
+    double hydro[3];    // part that the hydrostatic pressure has [N]
+    double force[3];    // of the last step, without it [N]
     double impulse[3];  // since the last exchange [N s]
     double place[3], speed[3];  // of the centre of mass at the last exchange [m, m/s]
     double seen;        // above 0 when it was there
@@ -107,7 +121,8 @@ class FixMultisphereClump : public FixMultisphere {
   bool images() const;
   void sort_spheres();
   void place(int ibody);
-  void sum_forces(int ibody, const double *gravity, bool setupflag);
+  void sum_forces(int ibody, const clay::GroupGravity &gravity, bool setupflag);
+  void response_mass(int ibody, double &mass, double *inertia);
   void apply_drag(int ibody, bool setupflag);
   void half_kick(int begin, int end);
   void turn(int begin, int end);
@@ -124,6 +139,9 @@ class FixMultisphereClump : public FixMultisphere {
   Store *store_;
   std::vector<const Matrix6d *> resistances_;  // by clump type; none for the sum over spheres
   bool coupled_;
+  double given_[3];  // since take_given() [N s]
+  ScriptGravity gravity_;
+  std::function<void()> before_;
   BodySpheres spheres_;
   bool unsorted_;    // spheres have changed places in memory
   bool unturned_;    // bodies have turned without spheres_

@@ -12,7 +12,6 @@
 
 #include "clumps/body_rotation.h"
 #include "domain.h"
-#include "fix_gravity.h"
 #include "modify.h"
 #include "update.h"
 
@@ -130,8 +129,7 @@ void FixMultisphereClump::final_integrate()
   }
   sort_spheres();
 
-  double gravity[3] = {0.,0.,0.};
-  if (fix_gravity_) fix_gravity_->get_gravity(gravity);
+  const clay::GroupGravity gravity = gravity_.now();
   const int nbody = multisphere_.n_body();
   for (int b = 0; b < nbody; b++) sum_forces(b,gravity,false);
   half_kick(0,nbody);
@@ -160,19 +158,22 @@ void FixMultisphereClump::calc_force(bool setupflag)
     return;
   }
   sort_spheres();
-  double gravity[3] = {0.,0.,0.};
-  if (fix_gravity_) fix_gravity_->get_gravity(gravity);
+  const clay::GroupGravity gravity = gravity_.now();
   for (int b = 0; b < nbody; b++) sum_forces(b,gravity,setupflag);
 }
 
 /* ---------------------------------------------------------------------- */
 
-void FixMultisphereClump::sum_forces(int b, const double *gravity, bool setupflag)
+void FixMultisphereClump::sum_forces(int b, const clay::GroupGravity &gravity, bool setupflag)
 {
   double *force = row(fcm_,b), *torque = row(torque_,b);
   spheres_.gather(b,atom->f[0],atom->torque[0],force,torque);
   const double m = multisphere_.mass(b);
-  for (int k = 0; k < 3; k++) force[k] += m*gravity[k];
+  const int begin = spheres_.begin(b);
+  if (begin < spheres_.end(b)) {
+    const std::array<double,3> g = gravity.on(atom->mask[spheres_.atom(begin)]);
+    for (int k = 0; k < 3; k++) force[k] += m*g[k];
+  }
   if (add_dragforce_)
     for (int k = 0; k < 3; k++) {
       force[k] += dragforce_(b)[k];
@@ -200,7 +201,12 @@ void FixMultisphereClump::apply_drag(int b, bool setupflag)
     force[k] += F[k];
     torque[k] += T[k];
     // this step's first half was done with the force of the step before
-    if (!setupflag) fluid.impulse[k] += half*(fluid.force[k] + F[k]);
-    fluid.force[k] = F[k];
+    const double given = F[k] - fluid.hydro[k];
+    if (!setupflag) {
+      const double impulse = half*(fluid.force[k] + given);
+      fluid.impulse[k] += impulse;
+      given_[k] += impulse;
+    }
+    fluid.force[k] = given;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 using namespace LAMMPS_NS;
 using Eigen::Matrix3d;
@@ -289,4 +290,24 @@ TEST(BodyDrag, WithAddedMassRelaxesExactlyToSecondOrder)
   };
   EXPECT_LT(error(64), 1e-4 * 0.2);
   EXPECT_NEAR(error(64) / error(128), 4, 0.3);
+}
+
+TEST(DragStep, aBodyThatIsHeldGetsTheWholeDragWhateverTheStep)
+{
+  const double inf = std::numeric_limits<double>::infinity(), held[3] = {inf, inf, inf}, I[3] = {1e-9, 2e-9, 3e-9};
+  BodyDrag drag;
+  const double r[3] = {1e-3, 0, 0}, u[3] = {0.1, 0.2, 0}, load[3] = {0, 0, 3e-5};
+  drag.add_sphere(r, 2e-4, u, load);
+  const double ex[3] = {1, 0, 0}, ey[3] = {0, 1, 0}, ez[3] = {0, 0, 1}, other[3] = {1, 2, 3};
+  for (double dt : {1e-7, 1e-2, 10.0}) {
+    DragStep step;
+    step.set(drag, inf, held, dt);
+    double F[3], T[3];
+    step.wrench(ex, ey, ez, none, none, I, other, other, F, T);
+    EXPECT_DOUBLE_EQ(F[0], 2e-5);
+    EXPECT_DOUBLE_EQ(F[1], 4e-5);
+    EXPECT_DOUBLE_EQ(F[2], 3e-5);
+    EXPECT_DOUBLE_EQ(T[1], -3e-8);
+    EXPECT_DOUBLE_EQ(T[2], 4e-8);
+  }
 }

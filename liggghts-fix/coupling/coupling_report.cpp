@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 
 #include "atom.h"
@@ -27,8 +28,9 @@ using namespace LAMMPS_NS;
 /* ---------------------------------------------------------------------- */
 
 CouplingReport::CouplingReport(LAMMPS *lmp, const std::string &file, double seconds) :
-  Pointers(lmp), file_(file), seconds_(seconds), counted_(false),
-  cpu_began_(0), cpu_wait_(0), cpu_waited_(0), cpu_(0.), began_(0.), last_line_(0.), wall_(0.), output_(0.), steps_(0), particles_(0),
+  Pointers(lmp), file_(file), seconds_(seconds), counted_(false), running_(false),
+  cpu_began_(0), cpu_wait_(0), cpu_waited_(0), cpu_(0.), began_(0.), last_line_(0.), wall_(0.), output_(0.), steps_(0),
+  at_start_(0), before_(0), inserted_(0), left_(0), deleted_(0), lost_(0), inserted_before_(0), left_before_(0),
   start_time_(0.), overlap_(0.)
 {
 }
@@ -48,9 +50,11 @@ void CouplingReport::start()
   began_ = last_line_ = MPI_Wtime();
   cpu_began_ = std::clock();
   cpu_waited_ = 0;
-  bigint n = atom->nlocal, all;
-  MPI_Allreduce(&n,&all,1,MPI_LMP_BIGINT,MPI_SUM,world);
-  particles_ = std::max<long>(particles_,all);
+  if (!counted_) {
+    at_start_ = before_ = all(atom->nlocal);
+    inserted_ = 0;
+  } else count();
+  running_ = true;
   if (counted_) return;
   counted_ = true;
   start_time_ = update->get_cur_time();
@@ -60,6 +64,50 @@ void CouplingReport::start()
   MPI_Bcast(&bad,1,MPI_INT,0,world);
   if (bad)
     error->all(FLERR,("Fix couple/foam: cannot write the stats file '" + file_ + "'").c_str());
+}
+
+/* ---------------------------------------------------------------------- */
+
+long CouplingReport::all(long mine) const
+{
+  long sum;
+  MPI_Allreduce(&mine,&sum,1,MPI_LONG,MPI_SUM,world);
+  return sum;
+}
+
+/* ----------------------------------------------------------------------
+   what is missing since the last count and did not leave was deleted, by a
+   fix that does so or between two runs, or it is lost
+------------------------------------------------------------------------- */
+
+void CouplingReport::count()
+{
+  static const char *deleting[] = {"remove", "massflow", "multisphere", "break"};
+  bool may = !running_;
+  for (int i = 0; i < modify->nfix; i++)
+    for (const char *style : deleting) may |= !strncmp(modify->fix[i]->style,style,strlen(style));
+
+  const long now = all(atom->nlocal), inserted = all(inserted_), left = all(left_);
+  const long missing = before_ + (inserted - inserted_before_) - (left - left_before_) - now;
+  (may ? deleted_ : lost_) += missing;
+  before_ = now;
+  inserted_before_ = inserted;
+  left_before_ = left;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void CouplingReport::places()
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int k = 0; k < 3; k++) {
+      const double x = atom->x[i][k];
+      const bool low = domain->boundary[k][0] == 1 && x < domain->boxlo[k];
+      const bool high = domain->boundary[k][1] == 1 && x >= domain->boxhi[k];
+      if (!low && !high) continue;
+      left_++;
+      break;
+    }
 }
 
 /* ----------------------------------------------------------------------
@@ -128,8 +176,9 @@ void CouplingReport::finish(const clay::DemSession &session, int interval, doubl
   const clay::Timing &timing = session.timing();
   double mine[7] = {wall_,timing.exchange,timing.waiting,output_,overlap_,wall_overlap,cpu_}, worst[7];
   MPI_Allreduce(mine,worst,7,MPI_DOUBLE,MPI_MAX,world);
-  bigint n = atom->nlocal, now;
-  MPI_Allreduce(&n,&now,1,MPI_LMP_BIGINT,MPI_SUM,world);
+  count();
+  running_ = false;
+  const long away = all(session.away());
   double sent = timing.bytesSent, bytes;
   MPI_Allreduce(&sent,&bytes,1,MPI_DOUBLE,MPI_SUM,world);
   FixMultisphere *ms = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere",0));
@@ -153,8 +202,12 @@ void CouplingReport::finish(const clay::DemSession &session, int interval, doubl
   run.bytesSent = bytes;
   if (Fix *rest = modify->find_fix_style("rest/bed",0))
     run.rest = {{rest->compute_vector(0),rest->compute_vector(1),rest->compute_vector(2)}};
-  run.particles = particles_;
-  run.particlesLost = std::max(0L,particles_ - long(now));
+  run.particles.atStart = at_start_;
+  run.particles.inserted = inserted_before_;
+  run.particles.left = left_before_;
+  run.particles.deleted = deleted_;
+  run.particles.lost = lost_;
+  run.particles.away = away;
   run.clumps = clumps;
   run.overlap = worst[4];
   run.wallOverlap = worst[5];

@@ -40,20 +40,31 @@ class CouplingReport : protected Pointers {
   /// A setting for dem.json.
   void setting(const std::string &name, const std::string &value) { settings_.push_back({name, value}); }
 
+  /// A particle has come.
+  void inserted() { inserted_++; }
+  /// Before particles change places: counts those that LIGGGHTS drops at a border of the box.
+  void places();
+
   /// A warning for the screen, the log and dem.json.
   void warn(const std::string &text);
 
  private:
   void measure_overlap();
+  long all(long mine) const;
+  void count();
   void line(const clay::DemSession &session);
 
   std::string file_;
   double seconds_;
-  bool counted_;
+  bool counted_, running_;
   std::clock_t cpu_began_, cpu_wait_, cpu_waited_;
   double cpu_;
   double began_, last_line_, wall_, output_;
-  long steps_, particles_;
+  long steps_;
+  long at_start_, before_;           // particles at the start of the first run, and of this one
+  long inserted_, left_;             // on this rank
+  long deleted_, lost_;              // of all
+  long inserted_before_, left_before_;  // of all, at the end of the last run
   std::vector<std::pair<std::string,std::string>> settings_;
   double start_time_, overlap_;
   clay::Overlap now_;  // the largest at the last exchange

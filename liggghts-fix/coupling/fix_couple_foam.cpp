@@ -18,7 +18,6 @@
 #include "domain.h"
 #include "error.h"
 #include "exchange/session.h"
-#include "fix_gravity.h"
 #include "memory.h"
 #include "modify.h"
 #include "thermal/fix_brownian.h"
@@ -62,7 +61,7 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp,narg,arg),
   settings_(settings(narg,arg,error)),
   dt_(0.), idle_(false), opened_(-1), pending_(false), waited_(0), prompt_(true), warned_(false),
-  exchanges_(0), bodies_(NULL), fluid_(NULL), more_(NULL), movers_(0), listed_(-1),
+  exchanges_(0), bodies_(NULL), fluid_(NULL), more_(NULL), mute_(0), gravity_(lmp), usual_{}, listed_(-1),
   still_(false), unseen_(false), still_steps_(0), last_time_(0.)
 {
   given_[0] = given_[1] = given_[2] = 0.;
@@ -130,16 +129,18 @@ void FixCoupleFoam::init()
     error->all(FLERR,"Fix couple/foam: with clumps its group must be 'all'");
   if (strstr(update->integrate_style,"respa"))
     error->all(FLERR,"Fix couple/foam: works with run_style verlet, not with respa");
-  if (bodies_) bodies_->couple();
+  if (bodies_) bodies_->couple([this] { if (pending_) take_answer(); });
   if (clumps_ && !bodies_)
     error->all(FLERR,"Fix couple/foam: clumpDrag resistance: there are no clumps; 'fix multisphere/clump' makes them");
   if (clumps_) clumps_->init(bodies_);
   const FixBrownian *thermal = dynamic_cast<FixBrownian*>(modify->find_fix_style("brownian",0));
   random_.reset(thermal ? new Thermal(thermal) : NULL);
 
-  movers_ = moving_groups(lmp);
+  moving_ = moving_groups(lmp);
+  mute_ = clay::frozen_above(script_fixes(lmp),modify->find_fix(id));
+  gravity_.find();
 
-  refuse([&] { clay::check_order(fixes(),modify->find_fix(id)); });
+  refuse([&] { clay::check_order(script_fixes(lmp),modify->find_fix(id)); });
 }
 
 /* ----------------------------------------------------------------------
@@ -153,18 +154,6 @@ void FixCoupleFoam::refuse(const std::function<void()> &check)
   } catch (const std::invalid_argument &e) {
     error->all(FLERR,(std::string("Fix couple/foam: ") + e.what()).c_str());
   }
-}
-
-/* ---------------------------------------------------------------------- */
-
-std::vector<clay::FixEntry> FixCoupleFoam::fixes() const
-{
-  std::vector<clay::FixEntry> all;
-  for (int i = 0; i < modify->nfix; i++) {
-    Fix *fix = modify->fix[i];
-    all.push_back({fix->id,fix->style,(fix->setmask() & POST_FORCE) != 0});
-  }
-  return all;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -201,13 +190,15 @@ clay::DemTerms FixCoupleFoam::terms()
   t.startTime = update->get_cur_time();
   t.endTime = t.startTime + (update->laststep - update->firststep)*update->dt;
 
-  FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
-  t.hasGravity = gravity != NULL;
-  if (gravity) gravity->get_gravity(t.gravity.data());
+  gravity_.evaluate();
+  find_gravity();
+  t.hasGravity = gravity_.any();
+  t.gravity = usual_;
 
   for (int k = 0; k < 3; k++) {
     t.box.lo[k] = domain->boxlo[k];
     t.box.hi[k] = domain->boxhi[k];
+    t.periodic[k] = domain->periodicity[k];
   }
 
   double radius = 0., all;
@@ -226,6 +217,7 @@ clay::DemTerms FixCoupleFoam::terms()
               Field::body, Field::impulse, Field::mass, Field::spin,
               Field::meanVelocity, Field::otherForce, Field::touched};
   if (clumps_) t.brings = {Field::dragDiameter, Field::dragFactor};
+  if (gravity_.differs(igroup)) t.brings.add(Field::gravity);
   if (bodies_) t.clumpDrag = clay::name(settings_.clumpDrag);
   t.needs = {Field::dragCoefficient, Field::fluidVelocity};
   return t;
@@ -259,7 +251,7 @@ void FixCoupleFoam::open()
   if (clumps_) clumps_->fluid(session_->remoteTerms().fluidViscosity,session_->remoteTerms().fluidDensity);
 
   const clay::FieldSet &gets = session_->receives();
-  if (gets.has(Field::addedMass)) refuse([&] { clay::check_last(fixes(),modify->find_fix(id)); });
+  if (gets.has(Field::addedMass)) refuse([&] { clay::check_last(script_fixes(lmp),modify->find_fix(id)); });
   if (!more_ && (gets.has(Field::addedMass) || gets.has(Field::turnCoefficient))) {
     memory->create(more_,atom->nmax,(int) More::SIZE,"couple/foam:more");
     for (int i = 0; i < atom->nmax; i++) std::fill(more_[i],more_[i] + More::SIZE,0.);
@@ -330,7 +322,8 @@ void FixCoupleFoam::restart(char *buf)
 void FixCoupleFoam::pre_exchange()
 {
   listed_ = -1;
-  if (watch_) watch_->places();
+  if (watch_) watch_->places([this](int i) { return fluid_[i][Row::DRAG] <= 0.; });
+  report_->places();
   if (pending_) take_answer();
 }
 

@@ -24,6 +24,7 @@ FixStyle(couple/foam,FixCoupleFoam)
 #include "coupling/sphere_forces.h"
 #include "exchange/fields.h"
 #include "fix.h"
+#include "clumps/script_gravity.h"
 #include "fluid/coupled_fluid.h"
 
 namespace clay { class DemSession; struct DemTerms; }
@@ -80,7 +81,6 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   typedef clay::InertiaRow More;
 
   void refuse(const std::function<void()> &check);
-  std::vector<clay::FixEntry> fixes() const;
   void check_contacts();
   void watch_contact_limit();
   clay::DemTerms terms();
@@ -94,6 +94,8 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   void take_body_answers();
   void apply(bool first);
   void list_free();
+  void find_gravity();
+  clay::Hydrostatics hydrostatics() const;
   clay::SphereArrays spheres() const;
   std::vector<clay::StillSphere> still_spheres() const;
 
@@ -111,14 +113,18 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   std::unique_ptr<CoupledClumps> clumps_;  // null when the drag is the sum over spheres
   double **fluid_;               // per-atom store, rows of FluidRow
   double **more_;                // another one, of InertiaRow; null when it is not needed
-  int movers_;                   // groups that some fix nve integrates
-  std::vector<int> free_;        // spheres in no body
+  clay::MovingGroups moving_;    // which spheres follow the forces on them
+  int mute_;                     // groups that a fix freeze above took all forces from
+  ScriptGravity gravity_;
+  clay::GroupGravity pull_;      // gravity at the last exchange
+  std::array<double,3> usual_;   // of that on all particles [m/s2]
+  std::vector<int> free_, yielding_, held_;  // spheres in no body: all, those that move, the others
   int listed_;                   // local spheres when they were listed; -1 when out of date
   bool still_;                   // particles keep still
   bool unseen_;                  // an answer has come that rest_step() has not compared
   int still_steps_;              // for so many steps since the last exchange
   clay::StillForces still_forces_;  // of the fluid when they came to rest
-  double given_[3];              // impulse given to this rank's particles [N s]
+  double given_[3];              // impulse given on this rank, to particles that are gone, too [N s]
 
   std::unique_ptr<clay::DemSession> session_;
   clay::Particles sent_, answer_;

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "atom.h"
+#include "coupling/coupling_report.h"
 #include "memory.h"
 
 using namespace LAMMPS_NS;
@@ -35,6 +36,7 @@ void FixCoupleFoam::copy_arrays(int i, int j, int)
 
 void FixCoupleFoam::set_arrays(int i)
 {
+  report_->inserted();
   std::fill(fluid_[i],fluid_[i] + Row::SIZE,0.);
   fluid_[i][Row::SLOT] = -1;
   fluid_[i][Row::RELAX] = 1.;

@@ -21,8 +21,6 @@
 #include "domain.h"
 #include "error.h"
 #include "exchange/session.h"
-#include "fix_gravity.h"
-#include "modify.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -41,7 +39,26 @@ clay::SphereArrays FixCoupleFoam::spheres() const
   s.radius = atom->radius;
   s.mass = atom->rmass;
   s.tag = atom->tag;
+  s.groups = atom->mask;
+  s.gravity = &pull_;
   return s;
+}
+
+/* ----------------------------------------------------------------------
+   as it is now; the usual one is that of most particles: on all, or on the
+   group of this fix
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::find_gravity()
+{
+  pull_ = gravity_.now();
+  usual_ = pull_.on(1 | groupbit);
+}
+
+clay::Hydrostatics FixCoupleFoam::hydrostatics() const
+{
+  const clay::CfdTerms &fluid = session_->remoteTerms();
+  return {fluid.buoyancy ? fluid.fluidDensity : 0.,usual_};
 }
 
 /* ---------------------------------------------------------------------- */
@@ -49,9 +66,14 @@ clay::SphereArrays FixCoupleFoam::spheres() const
 void FixCoupleFoam::list_free()
 {
   free_.clear();
+  yielding_.clear();
+  held_.clear();
   listed_ = atom->nlocal;
   for (int i = 0; i < listed_; i++)
-    if ((atom->mask[i] & groupbit) && !(bodies_ && bodies_->belongs_to(i) >= 0)) free_.push_back(i);
+    if ((atom->mask[i] & groupbit) && !(bodies_ && bodies_->belongs_to(i) >= 0)) {
+      free_.push_back(i);
+      (moving_.moves(atom->mask[i]) ? yielding_ : held_).push_back(i);
+    }
 }
 
 /* ----------------------------------------------------------------------
@@ -61,8 +83,9 @@ void FixCoupleFoam::list_free()
 void FixCoupleFoam::apply(bool first)
 {
   if (listed_ != atom->nlocal) list_free();
-  if (more_) clay::push_inertial_spheres(free_,fluid_,more_,spheres(),random_.get(),update->dt,first);
-  else clay::push_spheres(free_,fluid_,spheres(),random_.get(),update->dt,first);
+  if (more_) clay::push_inertial_spheres(yielding_,fluid_,more_,spheres(),random_.get(),update->dt,first,given_);
+  else clay::push_spheres(yielding_,fluid_,spheres(),random_.get(),update->dt,first,given_);
+  clay::push_held_spheres(held_,fluid_,spheres(),atom->mask,mute_,random_.get(),update->dt,first,given_);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -70,14 +93,14 @@ void FixCoupleFoam::apply(bool first)
 void FixCoupleFoam::send(bool last)
 {
   if (still_) book_rest();
+  find_gravity();
 
   spheres_.clear();
   if (bodies_) bodies_->spheres(spheres_);
   list_free();
   sent_.resize(free_.size() + spheres_.size());
   for (int i = 0; i < atom->nlocal; i++) fluid_[i][Row::SLOT] = -1;
-  const std::array<double,3> given = clay::pack_free(free_,spheres(),fluid_,still_,sent_);
-  for (int k = 0; k < 3; k++) given_[k] += given[k];
+  clay::pack_free(free_,spheres(),fluid_,still_,sent_);
   if (bodies_) pack_clumps(free_.size());
   tell_motions();
   if (sent_.fields().has(Field::position) && (domain->xperiodic || domain->yperiodic || domain->zperiodic))
@@ -99,6 +122,7 @@ void FixCoupleFoam::send(bool last)
 void FixCoupleFoam::pack_clumps(int first)
 {
   if (comm->nprocs > 1) comm->forward_comm_fix(this);
+  bodies_->take_given(given_);
 
   std::vector<clay::BodyState> states(bodies_->n_body());
   for (size_t b = 0; b < states.size(); b++) {
@@ -107,7 +131,6 @@ void FixCoupleFoam::pack_clumps(int first)
     s.mass = bodies_->body_mass(b);
     s.tag = bodies_->data().tag(b);
     bodies_->take_impulse(b,s.impulse.data());
-    for (int k = 0; k < 3; k++) given_[k] += s.impulse[k];
   }
   const std::vector<double> shares = clay::share_impulses(spheres_,states,fluid_,atom->v,still_,
                                                           update->get_cur_time() - last_time_);
@@ -130,16 +153,17 @@ void FixCoupleFoam::tell_motions()
 {
   clay::Interval interval;
   interval.time = update->get_cur_time() - last_time_;
-  FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
-  if (gravity) gravity->get_gravity(interval.gravity.data());
+  interval.gravity = usual_;
   if (domain->xperiodic || domain->yperiodic || domain->zperiodic)
     interval.nearest = [this](double *d) { domain->minimum_image(d); };
 
   clay::tell_motion(free_,spheres(),fluid_,interval,sent_);
   if (!bodies_) return;
   std::vector<clay::BodyMotion> motions(bodies_->n_body());
-  for (size_t b = 0; b < motions.size(); b++)
+  for (size_t b = 0; b < motions.size(); b++) {
     motions[b].known = bodies_->take_motion(b,motions[b].displacement.data(),motions[b].change.data());
+    for (int k = 0; k < 3; k++) motions[b].lift[k] = bodies_->hydrostatic(b)[k]/bodies_->body_mass(b);
+  }
   clay::tell_body_motion(spheres_,motions,interval,free_.size(),sent_);
 }
 
@@ -185,7 +209,7 @@ void FixCoupleFoam::take_answer()
     prompt_ = any;
   }
 
-  clay::unpack_free(answer_,atom->nlocal,atom->rmass,atom->mask,movers_,update->dt,fluid_,more_);
+  clay::unpack_free(answer_,sent_,hydrostatics(),atom->nlocal,atom->rmass,atom->mask,moving_,update->dt,fluid_,more_);
   if (bodies_) take_body_answers();
 }
 
@@ -202,12 +226,17 @@ void FixCoupleFoam::take_body_answers()
 
   const int first = sent_.size() - spheres_.size(), nbody = bodies_->n_body();
   if (clumps_) {
-    const auto flow = clay::unpack_bodies<BodyFlow>(answer_,first,spheres_,nbody,fluid_);
+    const auto flow = clay::unpack_bodies<BodyFlow>(answer_,sent_,hydrostatics(),first,spheres_,nbody,fluid_);
     for (int b = 0; b < nbody; b++) clumps_->set_flow(b,flow[b]);
   } else {
-    const auto drag = clay::unpack_bodies<BodyDrag>(answer_,first,spheres_,nbody,fluid_);
+    const auto drag = clay::unpack_bodies<BodyDrag>(answer_,sent_,hydrostatics(),first,spheres_,nbody,fluid_);
     for (int b = 0; b < nbody; b++) bodies_->set_drag(b,drag[b]);
   }
+
+  std::vector<std::array<double,3>> hydro(nbody);
+  for (const BodySphere &s : spheres_)
+    for (int k = 0; k < 3; k++) hydro[s.body][k] += fluid_[s.atom][Row::HYDRO+k];
+  for (int b = 0; b < nbody; b++) bodies_->set_hydrostatic(b,hydro[b].data());
 
   if (comm->nprocs > 1) comm->reverse_comm_fix(this);
 }
@@ -247,11 +276,14 @@ void FixCoupleFoam::book_rest()
   double force[3];
   for (int i : free_) {
     clay::still_force(fluid_[i],force);
-    for (int k = 0; k < 3; k++) fluid_[i][Row::IMPULSE+k] += time*force[k];
+    for (int k = 0; k < 3; k++) {
+      fluid_[i][Row::IMPULSE+k] += time*force[k];
+      given_[k] += time*force[k];
+    }
   }
   for (const BodySphere &s : spheres_) {
     clay::still_force(fluid_[s.atom],force);
-    for (int k = 0; k < 3; k++) force[k] *= time;
+    for (int k = 0; k < 3; k++) given_[k] += force[k] *= time;
     bodies_->add_impulse(s.body,force);
   }
   still_steps_ = 0;
@@ -264,9 +296,7 @@ bool FixCoupleFoam::rest_step(double tolerance)
   if (pending_) take_answer();
   if (unseen_) {
     unseen_ = false;
-    double g[3] = {0.,0.,0.};
-    FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
-    if (gravity) gravity->get_gravity(g);
+    const std::array<double,3> g = gravity_.now().on(1 | groupbit);
     const double limit = tolerance*std::sqrt(g[0]*g[0] + g[1]*g[1] + g[2]*g[2]);
     int changed = still_forces_.changed(still_spheres(),limit), any;
     MPI_Allreduce(&changed,&any,1,MPI_INT,MPI_MAX,world);

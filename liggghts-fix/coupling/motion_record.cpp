@@ -18,7 +18,7 @@ constexpr double rounding = 1e-6;
 struct Odd {
   double force[3] = {0., 0., 0.}, size = 0.;
 
-  void add(const double *other, double mass, const std::array<double, 3> &gravity, double all)
+  void add(const double *other, double mass, const double *gravity, double all)
   {
     for (int k = 0; k < 3; k++) force[k] += other[k] - mass * gravity[k];
     size += all;
@@ -31,37 +31,39 @@ struct Odd {
 
 struct Slot {
   double *mean, *other, *touched;
-  const double *velocity, *impulse;
+  const double *velocity, *impulse, *gravity;
   double mass;
 
-  Slot(Particles &message, int slot) :
+  Slot(Particles &message, const Interval &interval, int slot) :
     mean(message[Field::meanVelocity] + 3 * slot), other(message[Field::otherForce] + 3 * slot),
     touched(message[Field::touched] + slot), velocity(message[Field::velocity] + 3 * slot),
-    impulse(message[Field::impulse] + 3 * slot), mass(message[Field::mass][slot]) {}
+    impulse(message[Field::impulse] + 3 * slot),
+    gravity(message.fields().has(Field::gravity) ? message[Field::gravity] + 3 * slot : interval.gravity.data()), mass(message[Field::mass][slot]) {}
 
-  void unknown(const Interval &interval)
+  void unknown()
   {
     for (int k = 0; k < 3; k++) {
       mean[k] = velocity[k];
-      other[k] = mass * interval.gravity[k];
+      other[k] = mass * gravity[k];
     }
     *touched = 0.;
   }
 
-  // from its displacement [m] and the change of its velocity [m/s]
-  void known(const Interval &interval, const double *displacement, const double *change, Odd &odd)
+  // from its displacement [m] and the change of its velocity [m/s]; the impulse lacks
+  // what the hydrostatic pressure gives to its mass [m/s2]
+  void known(const Interval &interval, const double *displacement, const double *change, const double *lift, Odd &odd)
   {
     double size = 0.;
     for (int k = 0; k < 3; k++) {
       mean[k] = displacement[k] / interval.time;
-      other[k] = (mass * change[k] - impulse[k]) / interval.time;
+      other[k] = (mass * change[k] - impulse[k]) / interval.time - mass * lift[k];
       // the terms of the difference
-      const double all = mass * std::fabs(interval.gravity[k]) +
+      const double all = mass * (std::fabs(gravity[k]) + std::fabs(lift[k])) +
                          (mass * (std::fabs(velocity[k]) + std::fabs(velocity[k] - change[k])) +
                           std::fabs(impulse[k])) / interval.time;
       size = std::max(size, all);
     }
-    odd.add(other, mass, interval.gravity, size);
+    odd.add(other, mass, gravity, size);
   }
 };
 
@@ -81,19 +83,20 @@ void tell_motion(const std::vector<int> &list, const SphereArrays &spheres, doub
   for (int i : list) {
     double *row = fluid[i];
     const double *x = spheres.x[i];
-    Slot slot(message, static_cast<int>(row[Row::SLOT]));
+    Slot slot(message, interval, static_cast<int>(row[Row::SLOT]));
     if (row[Row::SEEN] > 0. && interval.time > 0.) {
-      double displacement[3], change[3];
+      double displacement[3], change[3], lift[3];
       for (int k = 0; k < 3; k++) {
+        lift[k] = row[Row::HYDRO + k] / slot.mass;
         displacement[k] = x[k] - row[Row::PLACE + k];
         change[k] = slot.velocity[k] - row[Row::SPEED + k];
       }
       if (interval.nearest) interval.nearest(displacement);
       Odd odd;
-      slot.known(interval, displacement, change, odd);
+      slot.known(interval, displacement, change, lift, odd);
       *slot.touched = odd.touched();
     } else
-      slot.unknown(interval);
+      slot.unknown();
     std::copy(x, x + 3, row + Row::PLACE);
     std::copy(slot.velocity, slot.velocity + 3, row + Row::SPEED);
     row[Row::SEEN] = 1.;
@@ -109,14 +112,14 @@ void tell_body_motion(const std::vector<BodySphere> &list, const std::vector<Bod
   std::vector<Odd> odd(bodies.size());
   for (std::size_t n = 0; n < list.size(); n++) {
     const BodyMotion &b = bodies[list[n].body];
-    Slot slot(message, first + static_cast<int>(n));
+    Slot slot(message, interval, first + static_cast<int>(n));
     if (b.known && interval.time > 0.) {
       double displacement[3];
       std::copy(b.displacement.begin(), b.displacement.end(), displacement);
       if (interval.nearest) interval.nearest(displacement);
-      slot.known(interval, displacement, b.change.data(), odd[list[n].body]);
+      slot.known(interval, displacement, b.change.data(), b.lift.data(), odd[list[n].body]);
     } else
-      slot.unknown(interval);
+      slot.unknown();
   }
   for (std::size_t n = 0; n < list.size(); n++)
     if (bodies[list[n].body].known && interval.time > 0.)

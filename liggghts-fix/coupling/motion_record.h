@@ -19,7 +19,7 @@ using LAMMPS_NS::BodySphere;
 /// The time between two exchanges.
 struct Interval {
   double time = 0;                  ///< [s]
-  std::array<double, 3> gravity{};  ///< [m/s2]
+  std::array<double, 3> gravity{};  ///< where the message does not tell each sphere's [m/s2]
   /// Takes whole periods of the box off a displacement [m]; may be empty.
   std::function<void(double *)> nearest;
 };
@@ -29,6 +29,7 @@ struct BodyMotion {
   bool known = false;                    ///< it was there at the last exchange
   std::array<double, 3> displacement{};  ///< of its centre of mass [m]
   std::array<double, 3> change{};        ///< of that one's velocity [m/s]
+  std::array<double, 3> lift{};          ///< of the hydrostatic pressure, by its mass [m/s2]
 };
 
 /// Puts mean velocity, other forces than the fluid's and whether anything but gravity

@@ -34,6 +34,7 @@ void pack(const SphereArrays &spheres, int i, const Told &told, bool still, int 
   number(Field::tag, spheres.tag[i]);
   number(Field::body, told.body);
   if (fields.has(Field::spin)) vector(Field::spin, spheres.omega[i]);
+  if (fields.has(Field::gravity)) vector(Field::gravity, spheres.gravity->on(spheres.groups[i]).data());
   vector(Field::impulse, told.impulse);
 }
 
@@ -41,25 +42,20 @@ void pack(const SphereArrays &spheres, int i, const Told &told, bool still, int 
 
 /* ---------------------------------------------------------------------- */
 
-std::array<double, 3> pack_free(const std::vector<int> &list, const SphereArrays &spheres,
-                                double *const *fluid, bool still, Particles &message)
+void pack_free(const std::vector<int> &list, const SphereArrays &spheres, double *const *fluid, bool still,
+               Particles &message)
 {
   const double third = 4. / 3. * M_PI;
-  std::array<double, 3> given{};
   int slot = 0;
   for (int i : list) {
     const double r = spheres.radius[i];
     double *impulse = fluid[i] + Row::IMPULSE;
     fluid[i][Row::SLOT] = slot;
     pack(spheres, i, {third * r * r * r, spheres.mass[i], -1., impulse}, still, slot++, message);
-    for (int k = 0; k < 3; k++) {
-      given[k] += impulse[k];
-      impulse[k] = 0.;
-    }
+    std::fill(impulse, impulse + 3, 0.);
   }
   for (Field f : {Field::dragDiameter, Field::dragFactor})
     if (message.fields().has(f)) std::fill(message[f], message[f] + slot, 0.);
-  return given;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -77,7 +73,8 @@ std::vector<double> share_impulses(const std::vector<BodySphere> &spheres, const
     weight[s.body] += row[Row::DRAG];
     for (int k = 0; k < 3; k++) {
       shares[3 * n + k] =
-          time * (row[Row::LOAD + k] + row[Row::DRAG] * (row[Row::VELOCITY + k] - (still ? 0. : v[s.atom][k])));
+          time * (row[Row::LOAD + k] - row[Row::HYDRO + k] +
+                  row[Row::DRAG] * (row[Row::VELOCITY + k] - (still ? 0. : v[s.atom][k])));
       rest[3 * s.body + k] -= shares[3 * n + k];
     }
   }
@@ -116,7 +113,7 @@ int first_astray(const Particles &message)
 
 /* ---------------------------------------------------------------------- */
 
-void unpack(const Particles &answer, int slot, double *row)
+void unpack(const Particles &answer, const Particles &sent, const Hydrostatics &still, int slot, double *row)
 {
   row[Row::DRAG] = answer[Field::dragCoefficient][slot];
   const double *u = answer[Field::fluidVelocity] + 3 * slot;
@@ -126,21 +123,25 @@ void unpack(const Particles &answer, int slot, double *row)
     std::copy(load, load + 3, row + Row::LOAD);
   } else
     std::fill(row + Row::LOAD, row + Row::LOAD + 3, 0.);
+
+  const double rho = row[Row::DRAG] > 0. ? still.rho : 0.;
+  const double *g = sent.fields().has(Field::gravity) ? sent[Field::gravity] + 3 * slot : still.gravity.data();
+  for (int k = 0; k < 3; k++) row[Row::HYDRO + k] = rho > 0. ? sent[Field::volume][slot] * -(rho * g[k]) : 0.;
 }
 
 /* ---------------------------------------------------------------------- */
 
-void unpack_free(const Particles &answer, int n, const double *mass, const int *mask, int movers,
-                 double dt, double *const *fluid, double *const *inertia)
+void unpack_free(const Particles &answer, const Particles &sent, const Hydrostatics &still, int n, const double *mass,
+                 const int *mask, const MovingGroups &moving, double dt, double *const *fluid, double *const *inertia)
 {
   const bool weighted = answer.fields().has(Field::addedMass);
   const bool turned = answer.fields().has(Field::turnCoefficient);
   for (int i = 0; i < n; i++) {
     const int slot = fluid[i][Row::SLOT];
     if (slot < 0) continue;
-    const bool moves = mask[i] & movers;
-    unpack(answer, slot, fluid[i]);
-    fluid[i][Row::RELAX] = LAMMPS_NS::relaxation_factor(fluid[i][Row::DRAG] * dt / mass[i]);
+    const bool moves = moving.moves(mask[i]);
+    unpack(answer, sent, still, slot, fluid[i]);
+    fluid[i][Row::RELAX] = moves ? LAMMPS_NS::relaxation_factor(fluid[i][Row::DRAG] * dt / mass[i]) : 1.;
     if (weighted) inertia[i][InertiaRow::ADDED] = moves ? answer[Field::addedMass][slot] : 0.;
     if (turned) {
       inertia[i][InertiaRow::TURN] = moves ? answer[Field::turnCoefficient][slot] : 0.;

@@ -10,6 +10,7 @@
 
 #include "clumps/body_resistance.h"
 #include "clumps/body_spheres.h"
+#include "coupling/moving_groups.h"
 #include "coupling/sphere_forces.h"
 #include "exchange/fields.h"
 
@@ -26,9 +27,9 @@ struct BodyState {
 
 /// Puts the listed spheres into the message, numbers them in their rows, and takes
 /// their impulses out of these. Spheres that are kept `still` have no velocity.
-/// Returns the sum of the impulses [N s]. The message must be large enough.
-std::array<double, 3> pack_free(const std::vector<int> &list, const SphereArrays &spheres,
-                                double *const *fluid, bool still, Particles &message);
+/// The message must be large enough.
+void pack_free(const std::vector<int> &list, const SphereArrays &spheres,
+               double *const *fluid, bool still, Particles &message);
 
 /// Impulse [N s] of each sphere of a body, three numbers a sphere: what its own drag
 /// and load gave it in `time` [s], and its part by drag coefficient (by volume where
@@ -44,27 +45,34 @@ void pack_bodies(const std::vector<BodySphere> &list, const std::vector<BodyStat
 /// The first particle of a message whose place or velocity is not finite, -1 for none.
 int first_astray(const Particles &message);
 
-/// Keeps in a sphere's row what stands in the answer at `slot`.
-void unpack(const Particles &answer, int slot, double *row);
+/// What the hydrostatic pressure of a fluid of density rho [kg/m3] has in the answers, 0
+/// when it is not in them; gravity [m/s2] where the message does not tell each sphere's.
+struct Hydrostatics {
+  double rho = 0;
+  std::array<double, 3> gravity{};
+};
+
+/// Keeps in a sphere's row what was answered to `sent` at `slot`. Without drag there is no fluid.
+void unpack(const Particles &answer, const Particles &sent, const Hydrostatics &still, int slot, double *row);
 
 /// The same for the first n spheres so far as they have a slot, with the factors of
 /// a step dt [s]. inertia may be null where the answer has neither added mass nor
-/// torque; what is in none of the groups `movers` does not accelerate.
-void unpack_free(const Particles &answer, int n, const double *mass, const int *mask, int movers,
-                 double dt, double *const *fluid, double *const *inertia);
+/// torque; what does not move does not accelerate.
+void unpack_free(const Particles &answer, const Particles &sent, const Hydrostatics &still, int n, const double *mass,
+                 const int *mask, const MovingGroups &moving, double dt, double *const *fluid, double *const *inertia);
 
 /// Keeps the answers from place `first` on in the rows of the bodies' spheres, and
 /// sums them up for each body; Flow is BodyDrag or BodyFlow.
 template <class Flow>
-std::vector<Flow> unpack_bodies(const Particles &answer, int first, const std::vector<BodySphere> &list, int bodies,
-                                double *const *fluid)
+std::vector<Flow> unpack_bodies(const Particles &answer, const Particles &sent, const Hydrostatics &still, int first,
+                                const std::vector<BodySphere> &list, int bodies, double *const *fluid)
 {
   std::vector<Flow> sums(bodies);
   const bool weighted = answer.fields().has(Field::addedMass);
   int slot = first;
   for (const BodySphere &s : list) {
     double *row = fluid[s.atom];
-    unpack(answer, slot, row);
+    unpack(answer, sent, still, slot, row);
     sums[s.body].add_sphere(s.r, row[FluidRow::DRAG], row + FluidRow::VELOCITY, row + FluidRow::LOAD);
     if (weighted) sums[s.body].add_mass(s.r, answer[Field::addedMass][slot]);
     slot++;

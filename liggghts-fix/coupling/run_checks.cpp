@@ -74,15 +74,17 @@ clay::ContactCoefficients ContactModel::between(int i, int j, double mass, doubl
 
 /* ---------------------------------------------------------------------- */
 
-int LAMMPS_NS::moving_groups(LAMMPS *lmp)
+std::vector<clay::FixEntry> LAMMPS_NS::script_fixes(LAMMPS *lmp)
 {
-  int groups = 0;
+  std::vector<clay::FixEntry> all;
   for (int i = 0; i < lmp->modify->nfix; i++) {
-    const Fix *fix = lmp->modify->fix[i];
-    if (!strncmp(fix->style,"nve",3) || !strncmp(fix->style,"multisphere",11)) groups |= fix->groupbit;
+    Fix *fix = lmp->modify->fix[i];
+    all.push_back({fix->id,fix->style,(fix->setmask() & FixConst::POST_FORCE) != 0,fix->groupbit});
   }
-  return groups;
+  return all;
 }
+
+clay::MovingGroups LAMMPS_NS::moving_groups(LAMMPS *lmp) { return clay::moving_groups(script_fixes(lmp)); }
 
 /* ---------------------------------------------------------------------- */
 
@@ -116,12 +118,12 @@ double LAMMPS_NS::resting_step_limit(LAMMPS *lmp, std::string *which)
   }
 
   // of each type the lightest free sphere that moves: all else equal its limit is the lowest
-  const int movers = moving_groups(lmp);
+  const clay::MovingGroups moving = moving_groups(lmp);
   const Atom &atom = *lmp->atom;
   FixMultisphere *ms = static_cast<FixMultisphere *>(lmp->modify->find_fix_style("multisphere", 0));
   std::vector<double> mass(atom.ntypes + 1, infinity), size(atom.ntypes + 1, infinity);
   for (int i = 0; i < atom.nlocal; i++) {
-    if ((ms && ms->belongs_to(i) >= 0) || !(atom.mask[i] & movers)) continue;
+    if ((ms && ms->belongs_to(i) >= 0) || !moving.moves(atom.mask[i])) continue;
     mass[atom.type[i]] = std::min(mass[atom.type[i]], atom.rmass[i]);
     size[atom.type[i]] = std::min(size[atom.type[i]], atom.radius[i]);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contacts/contact_limit.h"
+#include "coupling/moving_groups.h"
 #include "contacts/granular_script.h"
 
 namespace LAMMPS_NS {
@@ -32,8 +33,11 @@ class ContactModel {
   bool known_, stiffness_;
 };
 
-/// Group bits of the particles that some fix moves.
-int moving_groups(LAMMPS *lmp);
+/// The script's fixes, in its order.
+std::vector<clay::FixEntry> script_fixes(LAMMPS *lmp);
+
+/// Which particles follow the forces on them.
+clay::MovingGroups moving_groups(LAMMPS *lmp);
 
 /// Largest stable step [s] for a clump of any clay template, or a free sphere
 /// there is, that lies in the foot of a column with the like of itself on top;

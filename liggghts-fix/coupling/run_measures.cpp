@@ -28,8 +28,13 @@ std::string RunMeasures::json() const
   }
   j["exchanges"] = exchanges;
   j["bytes_sent"] = bytesSent;
-  j["particles"] = particles;
-  j["particles_lost"] = particlesLost;
+  j["particles"] = particles.now();
+  j["particles_at_start"] = particles.atStart;
+  j["particles_inserted"] = particles.inserted;
+  j["particles_left"] = particles.left;
+  j["particles_deleted"] = particles.deleted;
+  j["particles_lost"] = particles.lost;
+  j["particles_beyond_the_fluid"] = particles.away;
   j["clumps"] = clumps;
   j["max_overlap_over_d"] = overlap;
   j["max_wall_overlap_over_d"] = wallOverlap;
@@ -55,7 +60,7 @@ std::string Progress::line() const
 /* ---------------------------------------------------------------------- */
 
 Overlap largest_overlap(const NeighbourList &list, double *const *x, const double *radius, const int *groups,
-                        int movers, const int *tag, const Overlap &before)
+                        const MovingGroups &moving, const int *tag, const Overlap &before)
 {
   Overlap worst = before;
   worst.depth = 0.;
@@ -66,7 +71,7 @@ Overlap largest_overlap(const NeighbourList &list, double *const *x, const doubl
       const int j = neighbours[jj] & list.mask;
       const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
       const double sum = radius[i] + radius[j], r2 = dx * dx + dy * dy + dz * dz;
-      if (r2 >= sum * sum || !((groups[i] | groups[j]) & movers)) continue;
+      if (r2 >= sum * sum || !(moving.moves(groups[i]) || moving.moves(groups[j]))) continue;
       const double depth = 0.5 * (sum - std::sqrt(r2)) / std::min(radius[i], radius[j]);
       if (depth > worst.depth) worst = {depth, tag[i], tag[j]};
     }

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "coupling/moving_groups.h"
+
 namespace clay {
 
 /// Measures of all runs so far, as they stand in dem.json.
@@ -23,7 +25,14 @@ struct RunMeasures {
   long steps = 0, exchanges = 0;
   double bytesSent = 0;
   std::optional<std::array<double, 3>> rest;         ///< steps left out, height missed [m], wakings
-  long particles = 0, particlesLost = 0;
+  struct {
+    long atStart = 0, inserted = 0;  ///< at the start of the first run, and since then
+    long left = 0;     ///< through a border of the DEM box
+    long deleted = 0;  ///< by the script
+    long lost = 0;     ///< otherwise
+    long away = 0;     ///< of those there are, beyond the fluid
+    long now() const { return atStart + inserted - left - deleted - lost; }
+  } particles;
   int clumps = 0;
   double overlap = 0, wallOverlap = 0;               ///< largest, over d
   double timestep = 0;                               ///< [s]
@@ -62,9 +71,8 @@ struct Overlap {
   int first = 0, second = 0;  ///< their tags
 };
 
-/// The largest overlap of the pairs listed, not of two that are in none of the groups
-/// `movers`; `first` and `second` stay as they are in `before` when there is none.
+/// The largest overlap of the pairs listed, not of two that do not move; `first` and `second` stay as they are in `before` when there is none.
 Overlap largest_overlap(const NeighbourList &list, double *const *x, const double *radius, const int *groups,
-                        int movers, const int *tag, const Overlap &before);
+                        const MovingGroups &moving, const int *tag, const Overlap &before);
 
 }  // namespace clay

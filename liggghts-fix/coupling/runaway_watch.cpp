@@ -69,7 +69,7 @@ void RunawayWatch::step()
 
 /* ---------------------------------------------------------------------- */
 
-void RunawayWatch::places()
+void RunawayWatch::places(const std::function<bool(int)> &may_leave)
 {
   const int periodic[3] = {domain->xperiodic,domain->yperiodic,domain->zperiodic};
   for (int i = 0; i < atom->nlocal; i++)
@@ -78,7 +78,8 @@ void RunawayWatch::places()
       if (!std::isfinite(x)) stop(i,"is NaN",checked_);
       // a border that shrink-wraps moves along
       if (periodic[k] || domain->boundary[k][0] != 1 || domain->boundary[k][1] != 1) continue;
-      if (x < domain->boxlo[k] || x >= domain->boxhi[k]) stop(i,"was pushed out of the box",checked_);
+      if ((x < domain->boxlo[k] || x >= domain->boxhi[k]) && !may_leave(i))
+        stop(i,"was pushed out of the box (watch no lets particles leave it)",checked_);
     }
 }
 
@@ -93,10 +94,10 @@ void RunawayWatch::overlaps(double overlap, int tag1, int tag2)
              tag1,tag2,overlap,update->ntimestep,update->get_cur_time(),most_overlap);
     end(text);
   }
-  const int movers = moving_groups(lmp);
+  const clay::MovingGroups moving = moving_groups(lmp);
   for (FixWallGran *w : primitive_walls(lmp))
     for (int i = 0; i < atom->nlocal; i++) {
-      if (!(atom->mask[i] & w->groupbit) || !(atom->mask[i] & movers)) continue;
+      if (!(atom->mask[i] & w->groupbit) || !moving.moves(atom->mask[i])) continue;
       double to_wall[3];
       const double gap = w->primitiveWall()->resolveContact(atom->x[i],atom->radius[i],to_wall);
       if (gap >= 0.) continue;

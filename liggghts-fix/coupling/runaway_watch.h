@@ -4,6 +4,7 @@
 #ifndef LMP_RUNAWAY_WATCH_H
 #define LMP_RUNAWAY_WATCH_H
 
+#include <functional>
 #include <string>
 
 #include "pointers.h"
@@ -22,7 +23,8 @@ class RunawayWatch : protected Pointers {
   void step();
   /// Before particles change places: none may have left the box where it ends,
   /// LIGGGHTS would drop it without a word.
-  void places();
+  /// may_leave(i): sphere i has left the fluid, it may leave the box as well.
+  void places(const std::function<bool(int)> &may_leave = [](int) { return false; });
   /// At an exchange, with the largest overlap of two particles over d.
   void overlaps(double overlap, int tag1, int tag2);
   /// Largest overlap with a wall, over d, that was seen at an exchange.

@@ -7,15 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "coupling/moving_groups.h"
 #include "coupling/run_checks.h"
 
 namespace clay {
-
-/// A fix of the script.
-struct FixEntry {
-  std::string id, style;
-  bool forces = true;  ///< acts in post_force
-};
 
 /// The drag of free spheres is implicit: the usual forces must stand above, `mine`
 /// being the place of fix couple/foam among the script's.

@@ -14,7 +14,7 @@ using Row = FluidRow;
 /* ---------------------------------------------------------------------- */
 
 void push_spheres(const std::vector<int> &list, double *const *fluid, const SphereArrays &spheres,
-                  const RandomForce *random, double dt, bool first)
+                  const RandomForce *random, double dt, bool first, double *all)
 {
   double *const *v = spheres.v;
   double *const *f = spheres.f;
@@ -26,8 +26,13 @@ void push_spheres(const std::vector<int> &list, double *const *fluid, const Sphe
     for (int k = 0; k < 3; k++) {
       const double load = s[Row::LOAD + k] + kick[k];
       const double force = load + (drag * (s[Row::VELOCITY + k] - v[i][k]) + rest * (f[i][k] + load));
-      if (!first) s[Row::IMPULSE + k] += 0.5 * dt * (s[Row::FORCE + k] + force);
-      s[Row::FORCE + k] = force;
+      const double given = force - s[Row::HYDRO + k];
+      if (!first) {
+        const double impulse = 0.5 * dt * (s[Row::FORCE + k] + given);
+        s[Row::IMPULSE + k] += impulse;
+        all[k] += impulse;
+      }
+      s[Row::FORCE + k] = given;
       f[i][k] += force;
     }
   }
@@ -35,8 +40,30 @@ void push_spheres(const std::vector<int> &list, double *const *fluid, const Sphe
 
 /* ---------------------------------------------------------------------- */
 
+void push_held_spheres(const std::vector<int> &list, double *const *fluid, const SphereArrays &spheres,
+                       const int *groups, int mute, const RandomForce *random, double dt, bool first, double *all)
+{
+  for (int i : list) {
+    double *s = fluid[i], kick[3] = {0., 0., 0.};
+    if (random) random->force(i, s[Row::DRAG], kick);
+    for (int k = 0; k < 3; k++) {
+      const double force = s[Row::LOAD + k] + kick[k] + s[Row::DRAG] * (s[Row::VELOCITY + k] - spheres.v[i][k]);
+      const double given = force - s[Row::HYDRO + k];
+      if (!first) {
+        const double impulse = 0.5 * dt * (s[Row::FORCE + k] + given);
+        s[Row::IMPULSE + k] += impulse;
+        all[k] += impulse;
+      }
+      s[Row::FORCE + k] = given;
+      if (!(groups[i] & mute)) spheres.f[i][k] += force;
+    }
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
 void push_inertial_spheres(const std::vector<int> &list, double *const *fluid, double *const *inertia,
-                           const SphereArrays &spheres, const RandomForce *random, double dt, bool first)
+                           const SphereArrays &spheres, const RandomForce *random, double dt, bool first, double *all)
 {
   for (int i : list) {
     double *s = fluid[i], *v = spheres.v[i], *f = spheres.f[i], kick[3] = {0., 0., 0.};
@@ -44,8 +71,13 @@ void push_inertial_spheres(const std::vector<int> &list, double *const *fluid, d
     for (int k = 0; k < 3; k++) {
       const double force = sphere_force(s[Row::DRAG], s[Row::VELOCITY + k], v[k], s[Row::LOAD + k] + kick[k],
                                         f[k], spheres.mass[i], inertia[i][InertiaRow::ADDED], dt);
-      if (!first) s[Row::IMPULSE + k] += 0.5 * dt * (s[Row::FORCE + k] + force);
-      s[Row::FORCE + k] = force;
+      const double given = force - s[Row::HYDRO + k];
+      if (!first) {
+        const double impulse = 0.5 * dt * (s[Row::FORCE + k] + given);
+        s[Row::IMPULSE + k] += impulse;
+        all[k] += impulse;
+      }
+      s[Row::FORCE + k] = given;
       f[k] += force;
     }
     if (inertia[i][InertiaRow::TURN] > 0.) turn_sphere(i, inertia, spheres, random, dt);
@@ -72,7 +104,7 @@ void turn_sphere(int i, double *const *inertia, const SphereArrays &spheres, con
 
 void still_force(const double *row, double *force)
 {
-  for (int k = 0; k < 3; k++) force[k] = row[Row::LOAD + k] + row[Row::DRAG] * row[Row::VELOCITY + k];
+  for (int k = 0; k < 3; k++) force[k] = row[Row::LOAD + k] - row[Row::HYDRO + k] + row[Row::DRAG] * row[Row::VELOCITY + k];
 }
 
 /* ---------------------------------------------------------------------- */

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "clumps/group_gravity.h"
+
 namespace clay {
 
 /// What is kept of the fluid for a sphere: a row of doubles, which moves with it.
@@ -14,14 +16,15 @@ struct FluidRow {
     DRAG = 0,       ///< K in F = K (u - v) [kg/s]
     VELOCITY = 1,   ///< u [m/s]
     LOAD = 4,       ///< force that does not depend on the motion [N]
-    FORCE = 7,      ///< of the last step [N]
-    IMPULSE = 10,   ///< received since the last exchange [N s]
-    SLOT = 13,      ///< place in the message, -1 for none
-    RELAX = 14,     ///< mean of the slip over a step, of that at its start
-    PLACE = 15,     ///< at the last exchange [m]
-    SPEED = 18,     ///< velocity then [m/s]
-    SEEN = 21,      ///< above 0 when it was there
-    SIZE = 22
+    HYDRO = 7,      ///< its part that the hydrostatic pressure has [N], not the fluid's to give
+    FORCE = 10,     ///< of the last step, without that part [N]
+    IMPULSE = 13,   ///< received since the last exchange, without that part [N s]
+    SLOT = 16,      ///< place in the message, -1 for none
+    RELAX = 17,     ///< mean of the slip over a step, of that at its start
+    PLACE = 18,     ///< at the last exchange [m]
+    SPEED = 21,     ///< velocity then [m/s]
+    SEEN = 24,      ///< above 0 when it was there
+    SIZE = 25
   };
 };
 
@@ -45,6 +48,8 @@ struct SphereArrays {
   const double *radius = nullptr;   ///< [m]
   const double *mass = nullptr;     ///< [kg]
   const int *tag = nullptr;
+  const int *groups = nullptr;      ///< bits of its groups
+  const GroupGravity *gravity = nullptr;
 };
 
 /// A random force on each sphere besides.
@@ -58,15 +63,21 @@ class RandomForce {
 };
 
 /// Adds the fluid's mean force over a step dt [s] to f of the spheres listed, and to
-/// the impulse they have received unless this is the `first` evaluation of a run. A
-/// force of step n acts over [n-1/2, n+1/2], and v is that of n-1/2. `random` may be null.
+/// the impulse they have received, and that all have, unless this is the `first` evaluation
+/// of a run. A force of step n acts over [n-1/2, n+1/2], and v is that of n-1/2. `random` may
+/// be null.
 void push_spheres(const std::vector<int> &list, double *const *fluid, const SphereArrays &spheres,
-                  const RandomForce *random, double dt, bool first);
+                  const RandomForce *random, double dt, bool first, double *all);
+
+/// The same for spheres that do not follow the forces on them: load + K (u - v), whatever
+/// dt. To f it is not added in the groups `mute`, by bits of the spheres' groups.
+void push_held_spheres(const std::vector<int> &list, double *const *fluid, const SphereArrays &spheres,
+                       const int *groups, int mute, const RandomForce *random, double dt, bool first, double *all);
 
 /// The same with added mass and torque: the sphere's own inertia m gets what it
 /// needs to be as fast as m + added would be under all other forces.
 void push_inertial_spheres(const std::vector<int> &list, double *const *fluid, double *const *inertia,
-                           const SphereArrays &spheres, const RandomForce *random, double dt, bool first);
+                           const SphereArrays &spheres, const RandomForce *random, double dt, bool first, double *all);
 
 /// The fluid's couple on one sphere, solved exactly over a step.
 void turn_sphere(int i, double *const *inertia, const SphereArrays &spheres, const RandomForce *random,
@@ -78,7 +89,7 @@ struct StillSphere {
   double mass;
 };
 
-/// Force on a sphere at rest, of its row [N]: load + K u.
+/// Force on a sphere at rest, of its row [N]: load + K u, without the hydrostatic part.
 void still_force(const double *row, double *force);
 
 /// The fluid's forces on spheres that are kept still, from when they came to rest.

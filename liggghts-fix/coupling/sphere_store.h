@@ -51,10 +51,13 @@ struct SphereStore {
     a.radius = radius.data();
     a.mass = mass.data();
     a.tag = tag.data();
+    a.groups = mask.data();
+    a.gravity = &gravity;
     return a;
   }
 
   RowStore x, v, omega, f, torque, fluid, inertia;
   std::vector<double> radius, mass;
   std::vector<int> tag, mask;
+  clay::GroupGravity gravity;
 };

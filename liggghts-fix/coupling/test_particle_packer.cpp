@@ -46,6 +46,17 @@ Particles answer(int n, FieldSet fields = answered)
   return a;
 }
 
+// what was sent: n spheres of volume 2, 4, ... m3
+Particles sent(int n, FieldSet fields = {Field::volume})
+{
+  Particles s(fields);
+  s.resize(n);
+  for (int i = 0; i < n; i++) s[Field::volume][i] = 2. * (i + 1);
+  return s;
+}
+
+const MovingGroups first_group = {1, 0};
+
 // two bodies of two spheres and one; atoms 2, 0 and 1
 const double arm[3][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 0, 0}};
 const std::vector<BodySphere> two_bodies = {{2, 0, arm[0], 0.75}, {0, 0, arm[1], 0.25}, {1, 1, arm[2], 1.}};
@@ -57,7 +68,7 @@ TEST(PackFree, tellsOfTheListedAndTakesTheirImpulses)
   SphereStore s = spheres(4);
   Particles message(state);
   message.resize(2);
-  const std::array<double, 3> given = pack_free({1, 3}, s.arrays(), s.fluid.rows(), false, message);
+  pack_free({1, 3}, s.arrays(), s.fluid.rows(), false, message);
 
   for (int slot : {0, 1}) {
     const int i = slot ? 3 : 1;
@@ -76,7 +87,6 @@ TEST(PackFree, tellsOfTheListedAndTakesTheirImpulses)
       EXPECT_EQ(s.fluid[i][Row::IMPULSE + k], 0.);
     }
   }
-  for (int k = 0; k < 3; k++) EXPECT_EQ(given[k], 5. + 0.5 * k);
   EXPECT_EQ(s.fluid[0][Row::SLOT], -1.);
   EXPECT_EQ(s.fluid[2][Row::IMPULSE], 2.5);
 }
@@ -91,6 +101,21 @@ TEST(PackFree, onlyWhatIsAskedFor)
   EXPECT_EQ(message[Field::position][2], 2.);
   EXPECT_EQ(message[Field::dragDiameter][0], 0.);  // a free sphere has none
   EXPECT_EQ(message[Field::dragFactor][0], 0.);
+}
+
+TEST(PackFree, gravityByGroup)
+{
+  SphereStore s = spheres(2);
+  s.mask[1] = 1 | 8;
+  s.gravity.add(1, {{0., 0., -9.}});
+  s.gravity.add(8, {{2., 0., -1.}});
+  Particles message({Field::gravity});
+  message.resize(2);
+  pack_free({0, 1}, s.arrays(), s.fluid.rows(), false, message);
+  EXPECT_EQ(message[Field::gravity][0], 0.);
+  EXPECT_EQ(message[Field::gravity][2], -9.);
+  EXPECT_EQ(message[Field::gravity][3], 2.);
+  EXPECT_EQ(message[Field::gravity][5], -10.);
 }
 
 TEST(PackFree, whatIsKeptStillHasNoVelocity)
@@ -113,6 +138,7 @@ TEST(ShareImpulses, addUpToTheBodys)
     s.fluid[i][Row::DRAG] = drag[i];
     s.fluid[i][Row::VELOCITY] = 0.5 * i;
     s.fluid[i][Row::LOAD + 1] = i + 1.;
+    s.fluid[i][Row::HYDRO + 1] = 0.5 * i;
   }
   const std::vector<double> shares = share_impulses(two_bodies, bodies, s.fluid.rows(), s.v.rows(), false, time);
   for (int k = 0; k < 3; k++) {
@@ -122,7 +148,7 @@ TEST(ShareImpulses, addUpToTheBodys)
     double own[2];
     for (int n : {0, 1}) {
       const int i = two_bodies[n].atom;
-      own[n] = time * (s.fluid[i][Row::LOAD + k] + drag[i] * (s.fluid[i][Row::VELOCITY + k] - s.v[i][k]));
+      own[n] = time * (s.fluid[i][Row::LOAD + k] - s.fluid[i][Row::HYDRO + k] + drag[i] * (s.fluid[i][Row::VELOCITY + k] - s.v[i][k]));
     }
     const double left = bodies[0].impulse[k] - own[0] - own[1];
     EXPECT_NEAR(shares[k], own[0] + 0.75 * left, 1e-10);
@@ -187,7 +213,7 @@ TEST(UnpackFree, byTheirSlots)
   s.fluid[2][Row::SLOT] = 0;
   s.mask[2] = 2;
   const Particles a = answer(2);
-  unpack_free(a, 3, s.mass.data(), s.mask.data(), 1, dt, s.fluid.rows(), s.inertia.rows());
+  unpack_free(a, sent(2), {}, 3, s.mass.data(), s.mask.data(), first_group, dt, s.fluid.rows(), s.inertia.rows());
   for (int i : {0, 2}) {
     const int slot = i ? 0 : 1;
     EXPECT_EQ(s.fluid[i][Row::DRAG], a[Field::dragCoefficient][slot]);
@@ -202,7 +228,39 @@ TEST(UnpackFree, byTheirSlots)
   }
   const double n = a[Field::dragCoefficient][1] * dt / s.mass[0];
   EXPECT_NEAR(s.fluid[0][Row::RELAX], (1. - std::exp(-n)) / n, 1e-12);
+  EXPECT_EQ(s.fluid[2][Row::RELAX], 1.);
   EXPECT_EQ(s.fluid[1][Row::DRAG], 0.);
+}
+
+TEST(UnpackFree, hydrostaticPartOfTheLoad)
+{
+  SphereStore s = spheres(2);
+  s.fluid[0][Row::SLOT] = 1;
+  s.fluid[1][Row::SLOT] = 0;
+  Particles a = answer(2);
+  const Hydrostatics water = {1000., {{0., 0.5, -9.}}};
+  auto take = [&](const Particles &told, const Hydrostatics &still) {
+    unpack_free(a, told, still, 2, s.mass.data(), s.mask.data(), first_group, 1e-3, s.fluid.rows(), s.inertia.rows());
+  };
+  take(sent(2), water);
+  EXPECT_EQ(s.fluid[0][Row::HYDRO + 1], -4. * 500.);
+  EXPECT_EQ(s.fluid[0][Row::HYDRO + 2], 4. * 9000.);
+  EXPECT_EQ(s.fluid[1][Row::HYDRO + 2], 2. * 9000.);
+
+  // by each sphere's own gravity
+  Particles told = sent(2, {Field::volume, Field::gravity});
+  told[Field::gravity][3] = 7.;
+  take(told, water);
+  EXPECT_EQ(s.fluid[0][Row::HYDRO], -4. * 7000.);
+  EXPECT_EQ(s.fluid[0][Row::HYDRO + 2], 0.);
+
+  // none without buoyancy, nor where no fluid is
+  take(sent(2), {});
+  EXPECT_EQ(s.fluid[0][Row::HYDRO + 2], 0.);
+  a[Field::dragCoefficient][1] = 0.;
+  take(sent(2), water);
+  EXPECT_EQ(s.fluid[0][Row::HYDRO + 2], 0.);
+  EXPECT_EQ(s.fluid[1][Row::HYDRO + 2], 2. * 9000.);
 }
 
 TEST(UnpackFree, withoutALoadThereIsNone)
@@ -210,8 +268,8 @@ TEST(UnpackFree, withoutALoadThereIsNone)
   SphereStore s = spheres(1);
   s.fluid[0][Row::SLOT] = 0;
   s.fluid[0][Row::LOAD + 1] = 5.;
-  unpack_free(answer(1, {Field::dragCoefficient, Field::fluidVelocity}), 1, s.mass.data(), s.mask.data(), 1, 1e-3,
-              s.fluid.rows(), nullptr);
+  unpack_free(answer(1, {Field::dragCoefficient, Field::fluidVelocity}), sent(1), {}, 1, s.mass.data(), s.mask.data(),
+              first_group, 1e-3, s.fluid.rows(), nullptr);
   EXPECT_EQ(s.fluid[0][Row::LOAD + 1], 0.);
 }
 
@@ -219,7 +277,7 @@ TEST(UnpackBodies, sumsOverTheirSpheres)
 {
   SphereStore s = spheres(3);
   const Particles a = answer(4);
-  const auto sums = unpack_bodies<LAMMPS_NS::BodyDrag>(a, 1, two_bodies, 2, s.fluid.rows());
+  const auto sums = unpack_bodies<LAMMPS_NS::BodyDrag>(a, sent(4), {10., {{0., 0., -3.}}}, 1, two_bodies, 2, s.fluid.rows());
   const double *K = a[Field::dragCoefficient];
   ASSERT_EQ(sums.size(), 2u);
   EXPECT_EQ(sums[0].K, K[1] + K[2]);
@@ -230,4 +288,5 @@ TEST(UnpackBodies, sumsOverTheirSpheres)
     EXPECT_EQ(sums[1].push[k], K[3] * a[Field::fluidVelocity][9 + k] + a[Field::force][9 + k]);
   EXPECT_EQ(s.fluid[2][Row::DRAG], K[1]);
   EXPECT_EQ(s.fluid[0][Row::LOAD + 2], a[Field::force][8]);
+  EXPECT_EQ(s.fluid[0][Row::HYDRO + 2], 6. * 30.);
 }

@@ -26,8 +26,12 @@ TEST(RunMeasures, file)
   m.steps = 1000;
   m.exchanges = 51;
   m.bytesSent = 4096;
-  m.particles = 60;
-  m.particlesLost = 2;
+  m.particles.atStart = 60;
+  m.particles.inserted = 30;
+  m.particles.left = 7;
+  m.particles.deleted = 5;
+  m.particles.lost = 2;
+  m.particles.away = 3;
   m.clumps = 4;
   m.overlap = 0.01;
   m.wallOverlap = 0.02;
@@ -49,7 +53,12 @@ TEST(RunMeasures, file)
   EXPECT_EQ(j["dem_steps"], 1000);
   EXPECT_EQ(j["exchanges"], 51);
   EXPECT_EQ(j["bytes_sent"], 4096.);
-  EXPECT_EQ(j["particles"], 60);
+  EXPECT_EQ(j["particles"], 76);
+  EXPECT_EQ(j["particles_at_start"], 60);
+  EXPECT_EQ(j["particles_inserted"], 30);
+  EXPECT_EQ(j["particles_left"], 7);
+  EXPECT_EQ(j["particles_deleted"], 5);
+  EXPECT_EQ(j["particles_beyond_the_fluid"], 3);
   EXPECT_EQ(j["particles_lost"], 2);
   EXPECT_EQ(j["clumps"], 4);
   EXPECT_EQ(j["max_overlap_over_d"], 0.01);
@@ -101,16 +110,16 @@ TEST(LargestOverlap, overTheSmallerDiameter)
   list.counts = counts;
   list.neighbours = neighbours;
   list.mask = (1 << 30) - 1;
-  Overlap worst = largest_overlap(list, s.x.rows(), s.radius.data(), s.mask.data(), 1, s.tag.data(), {});
+  Overlap worst = largest_overlap(list, s.x.rows(), s.radius.data(), s.mask.data(), {1, 0}, s.tag.data(), {});
   EXPECT_NEAR(worst.depth, 0.15, 1e-12);
   EXPECT_EQ(worst.first, 1);
   EXPECT_EQ(worst.second, 2);
-  worst = largest_overlap(list, s.x.rows(), s.radius.data(), s.mask.data(), 3, s.tag.data(), {});
+  worst = largest_overlap(list, s.x.rows(), s.radius.data(), s.mask.data(), {3, 0}, s.tag.data(), {});
   EXPECT_NEAR(worst.depth, 0.5, 1e-12);
 
   // without pairs the tags stay
   list.n = 0;
-  worst = largest_overlap(list, s.x.rows(), s.radius.data(), s.mask.data(), 3, s.tag.data(), worst);
+  worst = largest_overlap(list, s.x.rows(), s.radius.data(), s.mask.data(), {3, 0}, s.tag.data(), worst);
   EXPECT_EQ(worst.depth, 0.);
   EXPECT_EQ(worst.second, 4);
 }

@@ -15,7 +15,8 @@
 #include "comm.h"
 #include "error.h"
 #include "coupling/fix_couple_foam.h"
-#include "fix_gravity.h"
+#include "clumps/script_gravity.h"
+#include "fix_addforce.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "memory.h"
@@ -26,6 +27,14 @@
 #include "rest/verlet_clay.h"
 
 using namespace LAMMPS_NS;
+
+// fix addforce keeps the names of its variables to itself
+template <char *FixAddForce::*x, char *FixAddForce::*y, char *FixAddForce::*z>
+struct AddForceNames {
+  friend bool has_variable(const FixAddForce &fix) { return fix.*x || fix.*y || fix.*z; }
+};
+bool has_variable(const FixAddForce &fix);
+template struct AddForceNames<&FixAddForce::xstr,&FixAddForce::ystr,&FixAddForce::zstr>;
 
 namespace {
 
@@ -118,7 +127,11 @@ std::string FixRestBed::why_not() const
     "particletemplate/", "particledistribution/", "insert/", "rest/bed", "print", "ave/", "addforce", "viscous",
     "store/", "contactproperty" };
 
-  if (modify->n_fixes_style("gravity") == 0) return "there is no gravity to hold a bed";
+  ScriptGravity gravity(lmp);
+  gravity.find();
+  if (!gravity.any()) return "there is no gravity to hold a bed";
+  if (gravity.changes()) return "gravity changes by a variable";
+  if (gravity.differs(0)) return "gravity acts on a part of the particles";
   Pair *pair = force->pair ? force->pair_match("coul/clump",1) : NULL;
   const PairCoulClump *coul = dynamic_cast<PairCoulClump*>(pair);
   if (coul && coul->kicks())
@@ -131,6 +144,8 @@ std::string FixRestBed::why_not() const
         return std::string("the wall of fix ") + fix->id + " is a mesh or moves";
       continue;
     }
+    const FixAddForce *push = dynamic_cast<const FixAddForce*>(fix);
+    if (push && has_variable(*push)) return std::string("the force of fix ") + fix->id + " addforce is a variable";
     bool known = false;
     for (const char *style : still) known |= !strncmp(fix->style,style,strlen(style));
     if (!known) return std::string("fix ") + fix->id + " " + fix->style + " may move particles";
@@ -176,9 +191,10 @@ bool FixRestBed::find_gravity()
 {
   double before[3];
   std::copy(gravity_,gravity_ + 3,before);
-  FixGravity *gravity = static_cast<FixGravity*>(modify->find_fix_style("gravity",0));
-  if (gravity) gravity->get_gravity(gravity_);
-  else std::fill(gravity_,gravity_ + 3,0.);
+  ScriptGravity script(lmp);
+  script.find();
+  const std::array<double,3> now = script.now().on(1);
+  std::copy(now.begin(),now.end(),gravity_);
   return !std::equal(before,before + 3,gravity_);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "clumps/fix_multisphere_clump.h"
+#include "fix_property_atom.h"
 #include "host.h"
 #include "update.h"
 
@@ -201,4 +202,22 @@ TEST(FixMultisphereClump, bodiesBeginWithoutAFluid)
     bodies->take_impulse(b, impulse);
     for (int k = 0; k < 3; k++) EXPECT_EQ(impulse[k], 0);
   }
+}
+
+TEST(FixMultisphereClump, saysBeforeItTakesSpheresOut)
+{
+  // a sphere that stock multisphere has marked goes when particles change places
+  Host host;
+  host(tumble("multisphere/clump", "f f f", "") + "run 0\n");
+  auto *bodies = static_cast<LAMMPS_NS::FixMultisphereClump *>(host.multisphere());
+  const int before = host.lmp->atom->nlocal;
+  if (before == 0) return;  // another processor has them
+  auto *marks = static_cast<LAMMPS_NS::FixPropertyAtom *>(host.fix("delflag"));
+  ASSERT_TRUE(marks);
+  marks->vector_atom[0] = 1.0;
+  int seen = 0;
+  bodies->couple([&] { seen = host.lmp->atom->nlocal; });
+  bodies->pre_exchange();
+  EXPECT_EQ(seen, before);
+  EXPECT_EQ(host.lmp->atom->nlocal, before - 1);
 }

@@ -89,6 +89,18 @@ TEST(FixRestBed, leavesScriptsAloneThatActByThemselves)
   EXPECT_EQ(skipped(host), 0);
 }
 
+TEST(FixRestBed, leavesScriptsAloneThatChangeForces)
+{
+  for (const char *change : {"fix pull all addforce v_f 0 0\n", "fix turn all gravity v_f vector 1 0 0\n"}) {
+    Host host;
+    host(fall(std::string("variable f equal 0.0\nfix rest all rest/bed window 2e-3\n") + change + "run 20000\n"));
+    EXPECT_EQ(skipped(host), 0) << change;
+  }
+  Host constant;
+  constant(fall("fix rest all rest/bed window 2e-3\nfix pull all addforce 0 0 0\nrun 40000\n"));
+  EXPECT_GT(skipped(constant), 3000);
+}
+
 TEST(FixRestBed, leavesForcesInImpulsesAlone)
 {
   std::string script = fall("fix rest all rest/bed window 2e-3\nrun 20000\n");

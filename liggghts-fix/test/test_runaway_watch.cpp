@@ -95,6 +95,8 @@ TEST(RunawayWatch, namesTheParticleAndSinceWhen)
   x[1] = 0.0101;
   expect(said(places), "particle 1 was pushed out of the box");
   expect(said(places), "last check passed at step 20");
+  // unless it has left the fluid before
+  EXPECT_EQ(said([&] { watch.places([](int) { return true; }); }), "");
   x[1] = nan;
   expect(said(places), "particle 1 is NaN");
   x[1] = 0;

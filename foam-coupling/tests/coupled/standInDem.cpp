@@ -94,8 +94,9 @@ class Suspension {
     total_ = tag;
   }
 
-  /// One DEM step by the exact solution for constant K, u and force.
-  void step(double dt, const clay::Particles& answer) {
+  /// One DEM step by the exact solution for constant K, u and force; buoyant: density of
+  /// the fluid whose hydrostatic pressure is in the force.
+  void step(double dt, const clay::Particles& answer, double buoyant) {
     for (std::size_t i = 0; i < spheres.size(); ++i) {
       auto& p = spheres[i];
       const double K = answer[Field::dragCoefficient][i];
@@ -117,6 +118,7 @@ class Suspension {
           const double length = hi_[c] - lo_[c];
           p.x[c] -= length * std::floor((p.x[c] - lo_[c]) / length);
         }
+        impulse += buoyant * volume_ * gravity_[c] * dt;  // it is no part of what is told
         p.impulse[c] += impulse;
         given[c] += impulse;
       }
@@ -223,6 +225,7 @@ void march(clay::DemSession& session, Suspension& suspension, const clay::DemTer
   clay::Particles state(session.sends()), answer(session.receives());
   const double zlo = s.number("zlo", -1e300), zhi = s.number("zhi", 1e300);
   const long steps = std::lround((terms.endTime - terms.startTime) / terms.step);
+  const double buoyant = session.remoteTerms().buoyancy ? session.remoteTerms().fluidDensity : 0;
   const long spoil = std::lround(s.number("spoilAt", -1));
   for (long done = 0; done <= steps; done += terms.interval) {
     suspension.pack(state);
@@ -231,7 +234,7 @@ void march(clay::DemSession& session, Suspension& suspension, const clay::DemTer
     history.push_back(suspension.report(zlo, zhi));
     session.receive(answer);
     if (done == steps) break;
-    for (long i = 0; i < terms.interval; ++i) suspension.step(terms.step, answer);
+    for (long i = 0; i < terms.interval; ++i) suspension.step(terms.step, answer, buoyant);
   }
 }
 

@@ -1,0 +1,35 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/// \file group_gravity.h
+/// Gravity on particles of several groups.
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace clay {
+
+/// Gravity by group: the sum of what holds for a sphere's groups.
+class GroupGravity {
+ public:
+  void clear() { parts_.clear(); }
+  /// Adds g [m/s2] on a group.
+  void add(int group, const std::array<double, 3> &g) { parts_.push_back({group, g}); }
+  /// On a sphere of these groups [m/s2].
+  std::array<double, 3> on(int groups) const
+  {
+    std::array<double, 3> sum{};
+    for (const Part &p : parts_)
+      if (p.group & groups)
+        for (int k = 0; k < 3; k++) sum[k] += p.g[k];
+    return sum;
+  }
+
+ private:
+  struct Part {
+    int group;
+    std::array<double, 3> g;
+  };
+  std::vector<Part> parts_;
+};
+
+}  // namespace clay

@@ -64,18 +64,20 @@ TEST(TellMotion, underGravityAndDragAloneItIsFree)
       Particles message(packed);
       message.resize(1);
       const double dt = T / steps, k = stiff * mass / T;
+      double given[3] = {0., 0., 0.};
       s.mass[0] = mass;
       s.fluid[0][Row::DRAG] = k;
       s.fluid[0][Row::VELOCITY] = u;
       s.fluid[0][Row::VELOCITY + 2] = -u;
       s.fluid[0][Row::LOAD + 2] = load;
+      s.fluid[0][Row::HYDRO + 2] = 0.75 * load;
       s.fluid[0][Row::RELAX] = LAMMPS_NS::relaxation_factor(k * dt / mass);
       s.v[0][1] = 0.7;
       s.v[0][2] = -0.1;
       const auto force = [&](bool first) {
         s.f[0][0] = s.f[0][1] = 0.;
         s.f[0][2] = -g * mass;
-        push_spheres({0}, s.fluid.rows(), s.arrays(), nullptr, dt, first);
+        push_spheres({0}, s.fluid.rows(), s.arrays(), nullptr, dt, first, given);
       };
       const auto tell = [&] {
         pack_free({0}, s.arrays(), s.fluid.rows(), false, message);

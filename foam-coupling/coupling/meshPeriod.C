@@ -60,6 +60,7 @@ std::array<bool, 6> Foam::openSides(const polyMesh& mesh)
         }
     }
     std::array<bool, 6> sides;
+    // all ranks alike: six sides
     for (direction k = 0; k < 6; ++k)
     {
         sides[k] = returnReduce(open[k], orOp<bool>());

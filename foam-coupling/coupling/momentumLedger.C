@@ -154,6 +154,7 @@ void Foam::momentumLedger::settleGone
 )
 {
     const scalar volume = gSum(gone);
+    // all ranks alike: a sum over them
     if (volume > 0)
     {
         vectorField received(impulse*gone/(volume*mesh_.V()));

@@ -194,6 +194,7 @@ void Foam::particleCoupling::exchangeMomentum()
 
     const auto impulse = session_->impulse();
     const vector total(impulse[0], impulse[1], impulse[2]);
+    // all ranks alike: any() is that of all of them
     if (turnover_.any())
     {
         vector known(Zero);
@@ -455,6 +456,7 @@ bool Foam::particleCoupling::next()
         }
 
         scalarField jump;
+        // all ranks alike: any() is that of all of them
         if (turnover_.any())
         {
             jump = (turnover_.gone() - turnover_.came())/mesh_.V();

@@ -396,7 +396,7 @@ Foam::tmp<Foam::vectorField> Foam::particleForces::hydrostaticForces
 ) const
 {
     vectorField one(1, Zero);
-    const auto density = [&](const fluidState& around)
+    const auto byVolume = [&](const fluidState& around)
     {
         one[0] = Zero;
         // all ranks alike: the listed forces, by what they are
@@ -413,7 +413,7 @@ Foam::tmp<Foam::vectorField> Foam::particleForces::hydrostaticForces
 
     if (p.gravity.empty())
     {
-        return p.volume*density(fluid);
+        return p.volume*byVolume(fluid);
     }
 
     auto total = tmp<vectorField>::New(p.size());
@@ -421,7 +421,7 @@ Foam::tmp<Foam::vectorField> Foam::particleForces::hydrostaticForces
     forAll(p.gravity, i)
     {
         around.gravity = p.gravity[i];
-        total.ref()[i] = p.volume[i]*density(around);
+        total.ref()[i] = p.volume[i]*byVolume(around);
     }
     return total;
 }

@@ -84,6 +84,7 @@ void Foam::particleTurnover::compare
 
     came_.clear();
     gone_.clear();
+    // all ranks alike: signatures are sums over them
     if (changed)
     {
         labelHashSet now, before;

@@ -82,8 +82,10 @@ std::string oneHalfAlone(const DemTerms& dem, const CfdTerms& cfd) {
 std::string times(const DemTerms& dem, const CfdTerms& cfd) {
   if (differ(dem.startTime, cfd.startTime, 0.5 * dem.step))
     return "the start times differ: " + text(dem.startTime) + " s in the DEM half, " +
-           text(cfd.startTime) + " s in the CFD half; where the fluid's flow was computed beforehand, timeOffset " +
-           text(cfd.startTime - dem.startTime) + "; in constant/couplingProperties lets it start from there";
+           text(cfd.startTime) +
+           " s in the CFD half; where the fluid's flow was computed beforehand, timeOffset " +
+           text(cfd.startTime - dem.startTime) +
+           "; in constant/couplingProperties lets it start from there";
   if (cfd.endTime && differ(dem.endTime, *cfd.endTime, 0.5 * dem.step))
     return "the end times differ: " + text(dem.endTime) + " s in the DEM half, " +
            text(*cfd.endTime) +

@@ -151,9 +151,10 @@ class Source:
                 if not inside:
                     name = name_of(head)
                     kind = "function" if name else "scope"
+                    level = (kind, name, first, head, class_of(head) or self.path.stem)
                     if kind == "function":
-                        self.look(head, start, stack + [(kind, name, first, head, class_of(head) or self.path.stem)], own, found)
-                    stack.append((kind, name, first, head, class_of(head) or self.path.stem))
+                        self.look(head, start, stack + [level], own, found)
+                    stack.append(level)
                 elif control:
                     # a loop's own condition is asked again and again
                     self.look(head, start, stack, own, found,

@@ -40,7 +40,8 @@ def read(folder, row):
         cfd = json.load(f)
     counts = {"overlap": max(dem["max_overlap_over_d"], dem["max_wall_overlap_over_d"]),
               "lost": dem["particles_lost"],
-              "exchanges": dem["exchanges"] - 1, "particles": dem["particles"], "residual": cfd["max_momentum_residual"],
+              "exchanges": dem["exchanges"] - 1, "particles": dem["particles"],
+              "residual": cfd["max_momentum_residual"],
               "elsewhere": _elsewhere(dumps[0], dumps[-1]),
               "fluid steps": cfd["cfd_steps"], "mapped": cfd["particles_mapped"]}
     return found, counts

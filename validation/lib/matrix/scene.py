@@ -77,7 +77,7 @@ def _flow():
                 x, y, z = ((n + 0.5)/m for n, m in zip((i, j, k), CELLS))
                 shape = math.sin(math.pi*y)
                 rows.append("(%.17g 0 %.17g)" % (0.005*shape*math.sin(math.pi*x)*math.cos(math.pi*z),
-                                                  -0.015*shape*math.cos(math.pi*x)*math.sin(math.pi*z)))
+                                                 -0.015*shape*math.cos(math.pi*x)*math.sin(math.pi*z)))
     return f"{len(rows)} ({' '.join(rows)})"
 
 

@@ -14,7 +14,7 @@
 namespace clay {
 
 /// Both halves must speak the same version of the wire.
-constexpr int wireVersion = 6;
+constexpr int wireVersion = 7;
 static_assert(fieldCount == 21, "another list of fields is another version of the wire");
 
 /// Raised, on every rank of both halves, when the halves do not fit.

@@ -221,7 +221,12 @@ void Foam::particleCoupling::exchangeMomentum()
     );
 
     // with the answer foreseen no lag of the pressure is left to be damped
-    const bool weighted = forces_.addedDensity() > 0 && !response_.active();
+    const bool added = forces_.addedDensity() > 0;
+    scalarField part(added ? mesh_.nCells() : 0, 1.0);
+    if (added && !response_.active())
+    {
+        part = ledger_.follow(history_.mapped(), forces_.addedDensity());
+    }
     forces_.evaluate
     (
         p,
@@ -229,9 +234,7 @@ void Foam::particleCoupling::exchangeMomentum()
         history_.mapped(),
         law_,
         elapsed(),
-        weighted
-      ? ledger_.follow(history_.mapped(), forces_.addedDensity())
-      : scalarField()
+        part
     );
 
     vectorField& own = forces_.own();

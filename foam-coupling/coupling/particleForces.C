@@ -384,7 +384,7 @@ void Foam::particleForces::evaluate
     if (self_->active())
     {
         reacting -= ownForce;
-        self_->sent(p, K, vectorField(reacting + hydrostatic));
+        self_->sent(p, K, reacting);
     }
 }
 

@@ -194,24 +194,25 @@ void Foam::particleCoupling::exchangeMomentum()
 
     const auto impulse = session_->impulse();
     const vector total(impulse[0], impulse[1], impulse[2]);
-    // all ranks alike: any() is that of all of them
-    if (turnover_.any())
+    vector known(Zero);
+    scalar scale = 0;
+    forAll(p.owned, i)
     {
-        vector known(Zero);
-        forAll(p.owned, i)
+        if (p.owned[i])
         {
-            if (p.owned[i])
-            {
-                known += p.impulse[i];
-            }
+            known += p.impulse[i];
+            scale += mag(p.impulse[i]);
         }
-        reduce(known, sumOp<vector>());
-        ledger_.settleGone
-        (
-            total - lastImpulse_ - known,
-            turnover_.gone(),
-            smoothing_()
-        );
+    }
+    reduce(known, sumOp<vector>());
+    reduce(scale, sumOp<scalar>());
+
+    // one that has gone had half a step's impulse after it was found gone
+    const vector gone(total - lastImpulse_ - known);
+    // all ranks alike: sums over them
+    if (mag(gone) > 1e-11*scale)
+    {
+        ledger_.settleGone(gone, turnover_.lastGone(), smoothing_());
     }
     lastImpulse_ = total;
     stats_.momentumResidual = max

@@ -130,6 +130,11 @@ void Foam::particleTurnover::compare
                 }
             }
         }
+        // all ranks alike: the sum over them
+        if (gSum(gone_) > 0)
+        {
+            lastGone_ = gone_;
+        }
     }
 
     tag_ = p.tag;

@@ -16,9 +16,9 @@ namespace {
 // two free spheres, the second in the group `some`; without contact
 std::string two(const std::string &gravity, const std::string &more = "run 1\n")
 {
-  return test::opening("f f f", "0 1 0 1 0 1") + test::material("coul/clump 0.01") +
-         "pair_coeff * * coul/clump 0.0\ncreate_atoms 1 single 0.3 0.3 0.3 units box\n"
-         "create_atoms 2 single 0.7 0.7 0.7 units box\nset group all diameter 2e-3\nset group all density 2600\n"
+  return test::opening("f f f", "0 0.03 0 0.03 0 0.03") + test::material("coul/clump 0.01") +
+         "pair_coeff * * coul/clump 0.0\ncreate_atoms 1 single 0.01 0.01 0.01 units box\n"
+         "create_atoms 2 single 0.02 0.02 0.02 units box\nset group all diameter 2e-3\nset group all density 2600\n"
          "group some type 2\nfix nve all nve/sphere\ntimestep 1e-3\n" + gravity + more;
 }
 

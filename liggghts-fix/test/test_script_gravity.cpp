@@ -19,7 +19,7 @@ std::string two(const std::string &gravity, const std::string &more = "run 1\n")
   return test::opening("f f f", "0 0.03 0 0.03 0 0.03") + test::material("coul/clump 0.01") +
          "pair_coeff * * coul/clump 0.0\ncreate_atoms 1 single 0.01 0.01 0.01 units box\n"
          "create_atoms 2 single 0.02 0.02 0.02 units box\nset group all diameter 2e-3\nset group all density 2600\n"
-         "group some type 2\nfix nve all nve/sphere\ntimestep 1e-3\n" + gravity + more;
+         "group some type 2\nfix nve all nve/sphere\ntimestep 1e-5\n" + gravity + more;
 }
 
 // gravity on both as the script's fixes gravity have it

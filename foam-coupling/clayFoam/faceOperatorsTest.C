@@ -93,7 +93,10 @@ TEST(faceOperators, areThoseOfOpenFOAM)
     const auto U = fixed<vector>
     (
         mesh, "U",
-        [](const point& x) { return vector(x.y(), std::cos(4*x.z()), sqr(x.x())); }
+        [](const point& x)
+        {
+            return vector(x.y(), std::cos(4*x.z()), sqr(x.x()));
+        }
     );
 
     surfaceScalarField to("to", fvc::interpolate(p));

@@ -44,7 +44,8 @@ void Foam::fluidSolver::addStress(fvVectorMatrix& UEqn)
     scalarField& lower = UEqn.lower();
     scalarField& upper = UEqn.upper();
     vectorField& source = UEqn.source();
-    const auto explicitly = [&](const label f, const label celli, const vector& v)
+    const auto explicitly =
+        [&](const label f, const label celli, const vector& v)
     {
         source[celli] += v;
         if (f < nei.size())

@@ -147,11 +147,11 @@ void Foam::couplingProperties::checkEntries() const
 {
     wordList known
     ({
-        "overlap", "frozenFluid", "model", "voidFractionModel", "dragModel", "forceModels",
-        "smoothingModel", "selfDisturbance", "ddtVoidFraction", "interpolation",
-        "voidFractionMin", "allowNoBuoyancy", "verbose", "couplingInterval",
-        "keepMapping", "quietFluid", "timeOffset",
-        "writeFields"
+        "overlap", "frozenFluid", "model", "voidFractionModel",
+        "dragModel", "forceModels", "smoothingModel", "selfDisturbance",
+        "ddtVoidFraction", "interpolation", "voidFractionMin",
+        "allowNoBuoyancy", "verbose", "couplingInterval", "keepMapping",
+        "quietFluid", "timeOffset", "writeFields"
     });
 
     const auto addCoeffs = [&known](const wordList& models)

@@ -399,9 +399,9 @@ void Foam::particleCoupling::checkFields() const
         {
             OStringStream os;
             os  << "the fluid is NaN or infinite at time "
-                << mesh_.time().value() << " s, cell " << celli << " at " << mesh_.C()[celli]
-                << " m: U " << u << ", p " << p_[celli]
-                << "; a smaller maxCo or deltaT may help";
+                << mesh_.time().value() << " s, cell " << celli
+                << " at " << mesh_.C()[celli] << " m: U " << u
+                << ", p " << p_[celli] << "; a smaller maxCo or deltaT may help";
             found[Pstream::myProcNo()] = os.str();
             break;
         }

@@ -73,7 +73,8 @@ void Foam::particleCoupling::take()
         {
             FatalErrorInFunction
                 << "particle " << p.tag[i]
-                << " came with NaN or infinity at time " << session_->time() << " s: position " << p.position[i]
+                << " came with NaN or infinity at time "
+                << session_->time() << " s: position " << p.position[i]
                 << ", velocity " << p.velocity[i] << ", impulse "
                 << p.impulse[i] << ", radius " << p.radius[i] << ", volume "
                 << p.volume[i] << ", mass " << p.mass[i] << exit(FatalError);
@@ -138,8 +139,8 @@ void Foam::particleCoupling::map()
     // the largest count is warned of at the end
     if (outside > 0 && stats_.outside == 0)
     {
-        Info<< "clayFoam: warning: at time " << session_->time() << " s " << outside
-            << " particle centres lie outside the mesh" << endl;
+        Info<< "clayFoam: warning: at time " << session_->time() << " s "
+            << outside << " particle centres lie outside the mesh" << endl;
     }
     stats_.outside = max(stats_.outside, outside);
 
@@ -496,9 +497,9 @@ bool Foam::particleCoupling::next()
             foreseeAnswer();
             if (properties_.overlap() && stats_.stiffExchanges++ == 0)
             {
-                Info<< "clayFoam: warning: at time " << time_ << " s drag is stiff for"
-                    << " the coupling interval of " << interval_
-                    << " s: the fluid is solved first in such intervals"
+                Info<< "clayFoam: warning: at time " << time_
+                    << " s drag is stiff for the coupling interval of "
+                    << interval_ << " s: the fluid is solved first in such intervals"
                     << endl;
             }
         }

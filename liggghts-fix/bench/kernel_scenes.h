@@ -42,8 +42,8 @@ struct ContactScene {
 
   void step()
   {
-    const ContactSpheres s = {x.data(), v.data(), omega.data(), f.data(), torque.data(),
-                              static_cast<int>(x.size() / 3)};
+    const ContactSpheres s = {x.data(), v.data(),      omega.data(),
+                              f.data(), torque.data(), static_cast<int>(x.size() / 3)};
     contactForces(s, pairs, 1e-5, true, false);
   }
 };
@@ -69,17 +69,15 @@ struct CoulombScene {
 
 /// A message of particles taken in, and their answers packed.
 struct PackingScene {
-  FieldSet in{Field::position, Field::radius, Field::volume, Field::velocity,
-              Field::tag,      Field::impulse, Field::mass};
+  FieldSet in{Field::position, Field::radius, Field::volume, Field::velocity, Field::tag, Field::impulse, Field::mass};
   FieldSet out{Field::dragCoefficient, Field::fluidVelocity, Field::force};
   int count;
   std::vector<double> state, message;
   Particles particles{in}, answers{out};
   std::vector<char> owned;
 
-  explicit PackingScene(int n)
-      : count(n), state(static_cast<std::size_t>(n * in.width()), 1.5),
-        owned(static_cast<std::size_t>(n), 1)
+  explicit PackingScene(int n) :
+    count(n), state(static_cast<std::size_t>(n * in.width()), 1.5), owned(static_cast<std::size_t>(n), 1)
   {
     particles.resize(n);
     answers.resize(n);

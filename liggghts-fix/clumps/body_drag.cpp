@@ -50,13 +50,9 @@ void AddedInertia::add_mass(const double *r_, double m)
   added += of_moments(m, m * r, m * r * r.transpose());
 }
 
-Matrix6d BodyDrag::resistance() const
-{
-  return of_moments(K, Kr, Krr);
-}
+Matrix6d BodyDrag::resistance() const { return of_moments(K, Kr, Krr); }
 
-Matrix6d body_response(const Matrix6d &R, const Matrix6d &added, double mass,
-                       const double *inertia, double dt)
+Matrix6d body_response(const Matrix6d &R, const Matrix6d &added, double mass, const double *inertia, double dt)
 {
   // what has no inertia does not turn
   Vector6d inverse;
@@ -93,9 +89,9 @@ void DragStep::set(const BodyDrag &drag, double mass, const double *inertia, dou
   H = body_response(R, drag.added, mass, inertia, dt);
 }
 
-void DragStep::wrench(const double *ex, const double *ey, const double *ez, const double *v,
-                      const double *L, const double *inertia, const double *force,
-                      const double *torque, double *fluidForce, double *fluidTorque) const
+void DragStep::wrench(const double *ex, const double *ey, const double *ez, const double *v, const double *L,
+                      const double *inertia, const double *force, const double *torque, double *fluidForce,
+                      double *fluidTorque) const
 {
   const double *axis[3] = {ex, ey, ez};
   double motion[3], w[3], p[3], other[6], m[3][3], e[6], z[6];
@@ -109,20 +105,19 @@ void DragStep::wrench(const double *ex, const double *ey, const double *ez, cons
     p[k] = a[0] * push[0] + a[1] * push[1] + a[2] * push[2];
     other[k] = a[0] * force[0] + a[1] * force[1] + a[2] * force[2];
     other[k + 3] = a[0] * torque[0] + a[1] * torque[1] + a[2] * torque[2];
-    for (int j = 0; j < 3; j++)
-      m[j][k] = a[0] * lever[3 * j] + a[1] * lever[3 * j + 1] + a[2] * lever[3 * j + 2];
+    for (int j = 0; j < 3; j++) m[j][k] = a[0] * lever[3 * j] + a[1] * lever[3 * j + 1] + a[2] * lever[3 * j + 2];
   }
 
   // the fluid's wrench at the start of the step
   e[0] = p[0] - K * motion[0] - (w[1] * Kr[2] - w[2] * Kr[1]);
   e[1] = p[1] - K * motion[1] - (w[2] * Kr[0] - w[0] * Kr[2]);
   e[2] = p[2] - K * motion[2] - (w[0] * Kr[1] - w[1] * Kr[0]);
-  e[3] = m[1][2] - m[2][1] - (Kr[1] * motion[2] - Kr[2] * motion[1]) -
-         (spin[0] * w[0] + spin[3] * w[1] + spin[4] * w[2]);
-  e[4] = m[2][0] - m[0][2] - (Kr[2] * motion[0] - Kr[0] * motion[2]) -
-         (spin[3] * w[0] + spin[1] * w[1] + spin[5] * w[2]);
-  e[5] = m[0][1] - m[1][0] - (Kr[0] * motion[1] - Kr[1] * motion[0]) -
-         (spin[4] * w[0] + spin[5] * w[1] + spin[2] * w[2]);
+  e[3] =
+      m[1][2] - m[2][1] - (Kr[1] * motion[2] - Kr[2] * motion[1]) - (spin[0] * w[0] + spin[3] * w[1] + spin[4] * w[2]);
+  e[4] =
+      m[2][0] - m[0][2] - (Kr[2] * motion[0] - Kr[0] * motion[2]) - (spin[3] * w[0] + spin[1] * w[1] + spin[5] * w[2]);
+  e[5] =
+      m[0][1] - m[1][0] - (Kr[0] * motion[1] - Kr[1] * motion[0]) - (spin[4] * w[0] + spin[5] * w[1] + spin[2] * w[2]);
 
   for (int i = 0; i < 6; i++) z[i] = e[i];
   for (int j = 0; j < 6; j++) {
@@ -150,8 +145,7 @@ double sphere_drag(double K, double u, double v, double other, double m, double 
   return phi * K * (u - v) + (phi - 1.0) * other;
 }
 
-double sphere_force(double K, double u, double v, double load, double other, double m,
-                    double added, double dt)
+double sphere_force(double K, double u, double v, double load, double other, double m, double added, double dt)
 {
   const double push = load + other;
   return m / (m + added) * (push + sphere_drag(K, u, v, push, m + added, dt)) - other;

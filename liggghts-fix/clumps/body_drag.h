@@ -24,11 +24,11 @@ struct AddedInertia {
 /// its spheres. The spheres' places are in body axes, where they do not move,
 /// what the fluid does to each is in space axes.
 struct BodyDrag : AddedInertia {
-  double K = 0;                                      ///< sum of K [kg/s]
-  Eigen::Vector3d Kr = Eigen::Vector3d::Zero();      ///< sum of K r [kg m/s], body axes
-  Eigen::Matrix3d Krr = Eigen::Matrix3d::Zero();     ///< sum of K r r^T [kg m2/s], body axes
-  Eigen::Vector3d push = Eigen::Vector3d::Zero();    ///< sum of p = K u + f [N], space axes
-  Eigen::Matrix3d lever = Eigen::Matrix3d::Zero();   ///< sum of r p^T [N m], body by space axes
+  double K = 0;                                     ///< sum of K [kg/s]
+  Eigen::Vector3d Kr = Eigen::Vector3d::Zero();     ///< sum of K r [kg m/s], body axes
+  Eigen::Matrix3d Krr = Eigen::Matrix3d::Zero();    ///< sum of K r r^T [kg m2/s], body axes
+  Eigen::Vector3d push = Eigen::Vector3d::Zero();   ///< sum of p = K u + f [N], space axes
+  Eigen::Matrix3d lever = Eigen::Matrix3d::Zero();  ///< sum of r p^T [N m], body by space axes
 
   /// Adds a sphere at r [m] from the centre of mass, in body axes: drag coefficient
   /// K [kg/s], fluid velocity u [m/s] and explicit force f [N] in space axes.
@@ -40,8 +40,7 @@ struct BodyDrag : AddedInertia {
 };
 
 /// H of DragStep::wrench, for the resistance R about the centre of mass.
-Matrix6d body_response(const Matrix6d &R, const Matrix6d &added, double mass,
-                       const double *inertia, double dt);
+Matrix6d body_response(const Matrix6d &R, const Matrix6d &added, double mass, const double *inertia, double dt);
 
 /// A BodyDrag made ready for many steps of one length; all of it in doubles, so
 /// that it can travel with a body. Body axes, but for the push.
@@ -68,9 +67,9 @@ struct DragStep {
   /// With added inertia N the change of motion is that of inertia M + N, and the
   /// fluid's mean wrench what M does not take of it: H = G - 1 with
   /// G = M (M + N)^-1 (1 + B + B^2/2)^-1 (1 + B/2), B = dt R (M + N)^-1.
-  void wrench(const double *ex, const double *ey, const double *ez, const double *v,
-              const double *L, const double *inertia, const double *force,
-              const double *torque, double *fluidForce, double *fluidTorque) const;
+  void wrench(const double *ex, const double *ey, const double *ez, const double *v, const double *L,
+              const double *inertia, const double *force, const double *torque, double *fluidForce,
+              double *fluidTorque) const;
 };
 
 /// Mean drag force per component over a step on a sphere of mass m [kg] that
@@ -79,8 +78,7 @@ double sphere_drag(double K, double u, double v, double other, double m, double 
 
 /// The same with explicit force load [N] and added mass [kg]: mean of all that the
 /// fluid does, load + K (u - v) - added dv/dt.
-double sphere_force(double K, double u, double v, double load, double other, double m,
-                    double added, double dt);
+double sphere_force(double K, double u, double v, double load, double other, double m, double added, double dt);
 
 /// The factor (1 - exp(-a))/a, accurate for small a.
 double relaxation_factor(double a);

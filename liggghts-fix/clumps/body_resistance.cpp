@@ -42,8 +42,8 @@ void BodyFlow::motion(const Matrix3d &axes, Vector3d &u, Vector3d &w) const
   w = axes * w;
 }
 
-void ResistanceStep::set(const BodyFlow &flow, const Matrix6d &R, double scale_,
-                         const Matrix3d &axes, double mass, const double *inertia, double dt)
+void ResistanceStep::set(const BodyFlow &flow, const Matrix6d &R, double scale_, const Matrix3d &axes, double mass,
+                         const double *inertia, double dt)
 {
   scale = scale_;
   Vector3d velocity, spin;
@@ -59,9 +59,8 @@ void ResistanceStep::set(const BodyFlow &flow, const Matrix6d &R, double scale_,
   H = body_response(scale * R, flow.added, mass, inertia, dt);
 }
 
-void ResistanceStep::wrench(const Matrix6d &R, const double *ex, const double *ey,
-                            const double *ez, const double *v, const double *L,
-                            const double *inertia, const double *force, const double *torque,
+void ResistanceStep::wrench(const Matrix6d &R, const double *ex, const double *ey, const double *ez, const double *v,
+                            const double *L, const double *inertia, const double *force, const double *torque,
                             double *fluidForce, double *fluidTorque) const
 {
   const double *axis[3] = {ex, ey, ez};
@@ -77,8 +76,7 @@ void ResistanceStep::wrench(const Matrix6d &R, const double *ex, const double *e
     e[k] = a[0] * push[0] + a[1] * push[1] + a[2] * push[2];
     other[k] = a[0] * force[0] + a[1] * force[1] + a[2] * force[2];
     other[k + 3] = a[0] * torque[0] + a[1] * torque[1] + a[2] * torque[2];
-    for (int j = 0; j < 3; j++)
-      m[j][k] = a[0] * lever[3 * j] + a[1] * lever[3 * j + 1] + a[2] * lever[3 * j + 2];
+    for (int j = 0; j < 3; j++) m[j][k] = a[0] * lever[3 * j] + a[1] * lever[3 * j + 1] + a[2] * lever[3 * j + 2];
   }
   e[3] = m[1][2] - m[2][1];
   e[4] = m[2][0] - m[0][2];

@@ -12,13 +12,13 @@ namespace LAMMPS_NS {
 /// What a body's spheres see of the fluid and its explicit forces over a
 /// coupling interval. The spheres' places are in body axes, the rest in space axes.
 struct BodyFlow : AddedInertia {
-  double K = 0;                                    ///< sum of K [kg/s]
-  Eigen::Vector3d Kr = Eigen::Vector3d::Zero();    ///< sum of K r [kg m/s]
-  Eigen::Matrix3d Krr = Eigen::Matrix3d::Zero();   ///< sum of K r r^T [kg m2/s]
-  Eigen::Vector3d Ku = Eigen::Vector3d::Zero();    ///< sum of K u [N]
-  Eigen::Matrix3d Kru = Eigen::Matrix3d::Zero();   ///< sum of K r u^T [N m]
-  Eigen::Vector3d push = Eigen::Vector3d::Zero();  ///< sum of f [N]
-  Eigen::Matrix3d lever = Eigen::Matrix3d::Zero(); ///< sum of r f^T [N m]
+  double K = 0;                                     ///< sum of K [kg/s]
+  Eigen::Vector3d Kr = Eigen::Vector3d::Zero();     ///< sum of K r [kg m/s]
+  Eigen::Matrix3d Krr = Eigen::Matrix3d::Zero();    ///< sum of K r r^T [kg m2/s]
+  Eigen::Vector3d Ku = Eigen::Vector3d::Zero();     ///< sum of K u [N]
+  Eigen::Matrix3d Kru = Eigen::Matrix3d::Zero();    ///< sum of K r u^T [N m]
+  Eigen::Vector3d push = Eigen::Vector3d::Zero();   ///< sum of f [N]
+  Eigen::Matrix3d lever = Eigen::Matrix3d::Zero();  ///< sum of r f^T [N m]
 
   /// Adds a sphere at r [m] from the centre of mass, with the weight K [kg/s],
   /// fluid velocity u [m/s] and explicit force f [N].
@@ -40,13 +40,13 @@ struct ResistanceStep {
   double response[36];  ///< of the wrench to the motion within the step, by columns
 
   /// R is for unit viscosity, about the centre of mass, in body axes.
-  void set(const BodyFlow &flow, const Matrix6d &R, double scale, const Eigen::Matrix3d &axes,
-           double mass, const double *inertia, double dt);
+  void set(const BodyFlow &flow, const Matrix6d &R, double scale, const Eigen::Matrix3d &axes, double mass,
+           const double *inertia, double dt);
 
   /// Mean force and torque of the fluid over a step, as DragStep::wrench.
-  void wrench(const Matrix6d &R, const double *ex, const double *ey, const double *ez,
-              const double *v, const double *L, const double *inertia, const double *force,
-              const double *torque, double *fluidForce, double *fluidTorque) const;
+  void wrench(const Matrix6d &R, const double *ex, const double *ey, const double *ez, const double *v, const double *L,
+              const double *inertia, const double *force, const double *torque, double *fluidForce,
+              double *fluidTorque) const;
 };
 
 }  // namespace LAMMPS_NS

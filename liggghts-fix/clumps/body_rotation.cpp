@@ -13,9 +13,15 @@ namespace {
 
 typedef RotationBlock::Values Values;
 
-struct Vector { Values x, y, z; };
-struct Quaternion { Values s, x, y, z; };
-struct Axes { Vector x, y, z; };
+struct Vector {
+  Values x, y, z;
+};
+struct Quaternion {
+  Values s, x, y, z;
+};
+struct Axes {
+  Vector x, y, z;
+};
 
 /// Brings q to length 1.
 CLAY_INLINE void norm(Quaternion &q)
@@ -150,8 +156,8 @@ void RotationBlock::turn(double dt) { turn_block(*this, dt); }
 void turn_bodies(const Bodies &all, int begin, int end, double dt)
 {
   enum { SIZE = RotationBlock::SIZE };
-  const Bodies b = {all.q + 4 * begin, all.ex + 3 * begin, all.ey + 3 * begin, all.ez + 3 * begin, all.w + 3 * begin,
-                    all.L + 3 * begin, all.inertia + 3 * begin};
+  const Bodies b = {all.q + 4 * begin, all.ex + 3 * begin, all.ey + 3 * begin,     all.ez + 3 * begin,
+                    all.w + 3 * begin, all.L + 3 * begin,  all.inertia + 3 * begin};
   const int n = end - begin;
   if (n >= SIZE) {
     turn_eight(b, dt);
@@ -159,7 +165,7 @@ void turn_bodies(const Bodies &all, int begin, int end, double dt)
   } else if (n > 0) {
     // too few: with places that stand for none
     double q[4 * SIZE] = {}, ex[3 * SIZE] = {}, ey[3 * SIZE] = {}, ez[3 * SIZE] = {}, w[3 * SIZE], L[3 * SIZE] = {},
-           inertia[3 * SIZE] = {};
+                 inertia[3 * SIZE] = {};
     for (int i = n; i < SIZE; i++) q[4 * i] = ex[3 * i] = ey[3 * i + 1] = ez[3 * i + 2] = 1;
     std::copy(b.q, b.q + 4 * n, q);
     std::copy(b.ex, b.ex + 3 * n, ex);

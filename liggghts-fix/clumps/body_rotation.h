@@ -10,7 +10,7 @@ namespace LAMMPS_NS {
 /// the machine does several at a time.
 struct RotationBlock {
   enum { SIZE = 8 };
-  typedef double Values __attribute__((vector_size(8*SIZE)));
+  typedef double Values __attribute__((vector_size(8 * SIZE)));
   Values q[4];        ///< orientation (s, x, y, z), of length 1
   Values L[3];        ///< angular momentum [kg m2/s], space axes
   Values inertia[3];  ///< principal moments [kg m2]
@@ -34,8 +34,8 @@ void turn_bodies(const Bodies &bodies, int begin, int end, double dt);
 
 /// Spin w [1/s] of angular momentum L, all in space axes; a principal moment of 0
 /// stands for no rotation about that axis.
-inline void spin(const double *L, const double *ex, const double *ey, const double *ez,
-                 const double *inertia, double *w)
+inline void spin(const double *L, const double *ex, const double *ey, const double *ez, const double *inertia,
+                 double *w)
 {
   const double *axes[3] = {ex, ey, ez};
   double sum[3] = {0., 0., 0.};

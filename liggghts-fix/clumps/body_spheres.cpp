@@ -43,10 +43,7 @@ struct Axes {
   Vector x, y, z;
 };
 
-CLAY_INLINE void combine(const Axes &e, const double *d, Vector &to)
-{
-  to = e.x * d[0] + e.y * d[1] + e.z * d[2];
-}
+CLAY_INLINE void combine(const Axes &e, const double *d, Vector &to) { to = e.x * d[0] + e.y * d[1] + e.z * d[2]; }
 
 CLAY_CLONES void turn_spheres(const double *const *axes, const double *d, double *r, int n)
 {

@@ -36,9 +36,9 @@ class BodySpheres {
   int end(int b) const { return first_[b + 1]; }
 
   int atom(int n) const { return atom_[n]; }
-  const double *body_place(int n) const { return &d_[3 * n]; }  ///< [m], body axes
-  const double *space_place(int n) const { return &r_[4 * n]; } ///< [m], space axes
-  bool shifted(int b) const { return shifted_[b]; }             ///< any sphere of the body
+  const double *body_place(int n) const { return &d_[3 * n]; }   ///< [m], body axes
+  const double *space_place(int n) const { return &r_[4 * n]; }  ///< [m], space axes
+  bool shifted(int b) const { return shifted_[b]; }              ///< any sphere of the body
 
   /// Turns the places of a body into space axes, where its axes are ex, ey, ez.
   void turn(int b, const double *ex, const double *ey, const double *ez);
@@ -51,8 +51,8 @@ class BodySpheres {
   void set_velocity(int b, const double *v_, const double *w_, double *v, double *omega) const;
 
   /// Turns a body's spheres and gives them place, velocity and spin, in one pass.
-  void place(int b, const double *ex, const double *ey, const double *ez, const double *centre,
-             const double *v_, const double *w_, double *x, double *v, double *omega);
+  void place(int b, const double *ex, const double *ey, const double *ez, const double *centre, const double *v_,
+             const double *w_, double *x, double *v, double *omega);
 
  private:
   struct Added {

@@ -104,14 +104,12 @@ ClaySettings LAMMPS_NS::read_clay_settings(LAMMPS *lmp, int narg, char **arg)
     else if (key == "atom_types") {
       s.positive = in.count("atom_types, of positive spheres");
       s.negative = in.count("atom_types, of negative spheres");
-    }
-    else if (key == "volume") s.overlaps_once = in.choice(key, "sum", "union");
+    } else if (key == "volume") s.overlaps_once = in.choice(key, "sum", "union");
     else if (key == "verbose") s.verbose = in.choice(key, "no", "yes");
     else if (key == "region" || key == "additional_group" || key == "volume_limit") {
       s.passed_on.push_back(key);
       s.passed_on.push_back(in.word(key));
-    }
-    else if (!generic && key == "radius") plate.radius = in.positive(key);
+    } else if (!generic && key == "radius") plate.radius = in.positive(key);
     else if (!generic && key == "spacing") plate.spacing = in.positive(key);
     else if (!generic && key == "layer_spacing") plate.layerSpacing = in.positive(key);
     else if (!generic && key == "height") height = in.positive(key);
@@ -119,8 +117,7 @@ ClaySettings LAMMPS_NS::read_clay_settings(LAMMPS *lmp, int narg, char **arg)
     else if (generic && key == "spheres") {
       const int n = in.count(key);
       for (int i = 0; i < n; i++) s.clump.push_back(in.sphere("sphere " + std::to_string(i + 1)));
-    }
-    else in.fail("unknown keyword '" + key + "'" + (generic ? " for a generic clump" : ""));
+    } else in.fail("unknown keyword '" + key + "'" + (generic ? " for a generic clump" : ""));
   }
 
   if (s.seed.empty()) in.fail("'seed' is missing: a prime number above 10000 is needed");
@@ -138,8 +135,8 @@ ClaySettings LAMMPS_NS::read_clay_settings(LAMMPS *lmp, int narg, char **arg)
   if (height > 0) {
     if (plate.layers < 2 || height <= 2 * plate.radius) {
       std::ostringstream why;
-      why << "height is " << height << " with " << plate.layers
-          << " layer(s): it must exceed the spheres' diameter, " << 2 * plate.radius;
+      why << "height is " << height << " with " << plate.layers << " layer(s): it must exceed the spheres' diameter, "
+          << 2 * plate.radius;
       in.fail(why.str());
     }
     plate.layerSpacing = (height - 2 * plate.radius) / (plate.layers - 1);

@@ -15,13 +15,13 @@ class LAMMPS;
 
 /// What a fix particletemplate/clay command says, checked.
 struct ClaySettings {
-  std::string shape;            ///< illite, kaolinite or generic
-  std::string seed;             ///< of LIGGGHTS's random numbers
-  clay::Clump clump;            ///< spheres as given [m]
-  double density = 0;           ///< of the solid [kg/m3]
-  int type = 0;                 ///< clump type
+  std::string shape;               ///< illite, kaolinite or generic
+  std::string seed;                ///< of LIGGGHTS's random numbers
+  clay::Clump clump;               ///< spheres as given [m]
+  double density = 0;              ///< of the solid [kg/m3]
+  int type = 0;                    ///< clump type
   int positive = 0, negative = 0;  ///< atom types of the two charges
-  bool overlaps_once = false;   ///< volume union
+  bool overlaps_once = false;      ///< volume union
   bool verbose = false;
   std::vector<std::string> passed_on;  ///< keywords of the mother class, as they are
 };

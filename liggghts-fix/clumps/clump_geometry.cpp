@@ -53,14 +53,15 @@ std::vector<double> breaks(const Clump& c)
       }
     }
   std::sort(z.begin(), z.end());
-  z.erase(std::unique(z.begin(), z.end(),
-                      [size](double a, double b) { return b - a < 1e-11 * size; }), z.end());
+  z.erase(std::unique(z.begin(), z.end(), [size](double a, double b) { return b - a < 1e-11 * size; }), z.end());
   return z;
 }
 
 // Nodes and weights of tanh-sinh quadrature on (-1, 1), which does not mind the
 // square roots at the ends of an interval.
-struct Node { double x, gap, w; };
+struct Node {
+  double x, gap, w;
+};
 const std::vector<Node>& nodes()
 {
   static const std::vector<Node> table = [] {
@@ -105,7 +106,10 @@ BodyGeometry unionOfSpheres(const Clump& input)
   double unit = 0;
   for (const auto& s : input) unit = std::max(unit, s.r);
   Clump clump = input;
-  for (auto& s : clump) { s.x = (s.x - origin) / unit; s.r /= unit; }
+  for (auto& s : clump) {
+    s.x = (s.x - origin) / unit;
+    s.r /= unit;
+  }
 
   BodyGeometry g;
   g.share.assign(clump.size(), 0.0);
@@ -163,7 +167,10 @@ ClumpSphere boundingBall(const Clump& clump)
       if ((s.x - at).norm() + s.r > (far->x - at).norm() + far->r) far = &s;
     at += (far->x - at) / (k + 1.0);
     const double r = reach(at);
-    if (r < least * (1 - 1e-12)) { least = r; best = at; }
+    if (r < least * (1 - 1e-12)) {
+      least = r;
+      best = at;
+    }
   }
   return {best, least * (1 + 1e-12), true};
 }
@@ -179,8 +186,8 @@ Clump plate(const PlateShape& p, bool chargesByLayer)
     c.push_back({Vector3d(0, 0, z), p.radius, chargesByLayer ? even : true});
     for (int k = 0; k < 6; ++k) {
       const double t = k * pi / 3;
-      c.push_back({Vector3d(p.spacing * std::cos(t), p.spacing * std::sin(t), z), p.radius,
-                   chargesByLayer ? even : false});
+      c.push_back(
+          {Vector3d(p.spacing * std::cos(t), p.spacing * std::sin(t), z), p.radius, chargesByLayer ? even : false});
     }
   }
   return c;

@@ -20,10 +20,10 @@ using Clump = std::vector<ClumpSphere>;
 
 /// Volume, centre and moments of a body of density one.
 struct BodyGeometry {
-  double volume = 0;                                       ///< [m3]
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();        ///< centre of mass [m]
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();       ///< about the centre [m5]
-  std::vector<double> share;                               ///< fraction of the volume a sphere stands for
+  double volume = 0;                                  ///< [m3]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();   ///< centre of mass [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre [m5]
+  std::vector<double> share;                          ///< fraction of the volume a sphere stands for
 };
 
 /// Each sphere counts in full, overlap or not.

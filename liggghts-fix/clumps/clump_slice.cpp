@@ -46,8 +46,8 @@ void addArc(Slice& s, double& cell, const Disc& d, double t0, double t1)
   s.y += 0.5 * r * (b * b * S + 2 * b * r * SS + r * r * SSS);
   s.xx += r / 3 * (a * a * a * C + 3 * a * a * r * CC + 3 * a * r * r * CCC + r * r * r * CCCC);
   s.yy += r / 3 * (b * b * b * S + 3 * b * b * r * SS + 3 * b * r * r * SSS + r * r * r * SSSS);
-  s.xy += 0.5 * r * (b * (a * a * C + 2 * a * r * CC + r * r * CCC)
-                     + r * (a * a * CS + 2 * a * r * CCS + r * r * CCCS));
+  s.xy +=
+      0.5 * r * (b * (a * a * C + 2 * a * r * CC + r * r * CCC) + r * (a * a * CS + 2 * a * r * CCS + r * r * CCCS));
 }
 
 // the part of the chord n.x = c of a disc that lies in all half-planes but its own
@@ -111,13 +111,22 @@ Slice cut(const Clump& clump, double z)
         continue;
       }
       const double mid = 0.5 * (d.r2 - e.r2 + dist2) / dist;  // radical line, from d
-      if (mid <= -d.r) { covered = true; continue; }
+      if (mid <= -d.r) {
+        covered = true;
+        continue;
+      }
       if (mid >= d.r) continue;
       planes.push_back({dx, dy, dx * d.x + dy * d.y + mid * dist});
       const double at = std::atan2(dy, dx), open = std::acos(mid / d.r);
       double t0 = at - open, t1 = at + open;
-      if (t0 < -pi) { hidden.push_back({t0 + 2 * pi, pi}); t0 = -pi; }
-      if (t1 > pi) { hidden.push_back({-pi, t1 - 2 * pi}); t1 = pi; }
+      if (t0 < -pi) {
+        hidden.push_back({t0 + 2 * pi, pi});
+        t0 = -pi;
+      }
+      if (t1 > pi) {
+        hidden.push_back({-pi, t1 - 2 * pi});
+        t1 = pi;
+      }
       hidden.push_back({t0, t1});
     }
     if (covered) continue;

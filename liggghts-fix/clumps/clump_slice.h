@@ -11,10 +11,10 @@ namespace clay {
 
 /// Area and moments of a union of discs in the plane z = const.
 struct Slice {
-  double a = 0;                        ///< area
-  double x = 0, y = 0;                 ///< first moments
-  double xx = 0, yy = 0, xy = 0;       ///< second moments
-  std::vector<double> share;           ///< area of each disc's power cell
+  double a = 0;                   ///< area
+  double x = 0, y = 0;            ///< first moments
+  double xx = 0, yy = 0, xy = 0;  ///< second moments
+  std::vector<double> share;      ///< area of each disc's power cell
 };
 
 /// Cuts the clump at height z.

@@ -18,21 +18,18 @@ using namespace LAMMPS_NS;
 /* ---------------------------------------------------------------------- */
 
 FixMultisphereClump::FixMultisphereClump(LAMMPS *lmp, int narg, char **arg) :
-  FixMultisphere(lmp, narg, arg),
-  xcm_(vectors("xcm")), vcm_(vectors("vcm")), fcm_(vectors("fcm")), torque_(vectors("torque")),
-  dragforce_(vectors("dragforce_cm")), hdtorque_(vectors("hdtorque_cm")),
-  angmom_(vectors("angmom")), omega_(vectors("omega")), inertia_(vectors("inertia")),
-  ex_(vectors("ex_space")), ey_(vectors("ey_space")), ez_(vectors("ez_space")),
-  quat_(*multisphere_.prop().getElementProperty<VectorContainer<double,4> >("quat")),
-  fflag_(*multisphere_.prop().getElementProperty<VectorContainer<bool,3> >("fflag")),
-  tflag_(*multisphere_.prop().getElementProperty<VectorContainer<bool,3> >("tflag")),
-  clumptype_(*multisphere_.prop().getElementProperty<ScalarContainer<int> >("clumptype")),
-  coupled_(false), given_{},
-  gravity_(lmp),
-  unsorted_(true), unturned_(true), natoms_(0)
+  FixMultisphere(lmp, narg, arg), xcm_(vectors("xcm")), vcm_(vectors("vcm")), fcm_(vectors("fcm")),
+  torque_(vectors("torque")), dragforce_(vectors("dragforce_cm")), hdtorque_(vectors("hdtorque_cm")),
+  angmom_(vectors("angmom")), omega_(vectors("omega")), inertia_(vectors("inertia")), ex_(vectors("ex_space")),
+  ey_(vectors("ey_space")), ez_(vectors("ez_space")),
+  quat_(*multisphere_.prop().getElementProperty<VectorContainer<double, 4>>("quat")),
+  fflag_(*multisphere_.prop().getElementProperty<VectorContainer<bool, 3>>("fflag")),
+  tflag_(*multisphere_.prop().getElementProperty<VectorContainer<bool, 3>>("tflag")),
+  clumptype_(*multisphere_.prop().getElementProperty<ScalarContainer<int>>("clumptype")), coupled_(false), given_{},
+  gravity_(lmp), unsorted_(true), unturned_(true), natoms_(0)
 {
-  store_ = multisphere_.prop().addElementProperty<Store>(
-    "fluid_on_body","comm_exchange_borders","frame_invariant","restart_no");
+  store_ = multisphere_.prop().addElementProperty<Store>("fluid_on_body", "comm_exchange_borders", "frame_invariant",
+                                                         "restart_no");
 }
 
 /* ---------------------------------------------------------------------- */
@@ -49,8 +46,8 @@ FixMultisphereClump::Vectors &FixMultisphereClump::vectors(const char *name)
 
 FixMultisphereClump::Fluid &FixMultisphereClump::stored(int ibody)
 {
-  static_assert(sizeof(Fluid) == SIZE*sizeof(double),"doubles only");
-  Fluid &fluid = *reinterpret_cast<Fluid*>((*store_)(ibody));
+  static_assert(sizeof(Fluid) == SIZE * sizeof(double), "doubles only");
+  Fluid &fluid = *reinterpret_cast<Fluid *>((*store_)(ibody));
   const double owner = multisphere_.tag(ibody) + 0.5;
   if (fluid.owner != owner) {
     fluid = Fluid();
@@ -79,7 +76,7 @@ void FixMultisphereClump::sort_spheres()
       if (body_[i] < 0) continue;
       const int ibody = map(body_[i]);
       if (ibody < 0) continue;
-      spheres_.add(ibody,i,displace_[i],domain->is_owned_or_first_ghost(i),atom->image[i] != none);
+      spheres_.add(ibody, i, displace_[i], domain->is_owned_or_first_ghost(i), atom->image[i] != none);
     }
     spheres_.sort();
     natoms_ = nall;
@@ -87,7 +84,7 @@ void FixMultisphereClump::sort_spheres()
     unturned_ = true;
   }
   if (unturned_) {
-    for (int b = 0; b < nbody; b++) spheres_.turn(b,ex_(b),ey_(b),ez_(b));
+    for (int b = 0; b < nbody; b++) spheres_.turn(b, ex_(b), ey_(b), ez_(b));
     unturned_ = false;
   }
 }
@@ -124,7 +121,7 @@ void FixMultisphereClump::spheres(std::vector<BodySphere> &list)
     for (int n = spheres_.begin(b); n < spheres_.counted(b); n++) total += weight[spheres_.atom(n)];
     // a stock template's weights are random estimates
     for (int n = spheres_.begin(b); n < spheres_.counted(b); n++)
-      list.push_back({spheres_.atom(n),b,spheres_.body_place(n),weight[spheres_.atom(n)]/total});
+      list.push_back({spheres_.atom(n), b, spheres_.body_place(n), weight[spheres_.atom(n)] / total});
   }
 }
 
@@ -133,8 +130,8 @@ void FixMultisphereClump::spheres(std::vector<BodySphere> &list)
 void FixMultisphereClump::set_drag(int ibody, const BodyDrag &drag)
 {
   double mass, inertia[3];
-  response_mass(ibody,mass,inertia);
-  stored(ibody).drag.set(drag,mass,inertia,update->dt);
+  response_mass(ibody, mass, inertia);
+  stored(ibody).drag.set(drag, mass, inertia, update->dt);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -142,15 +139,15 @@ void FixMultisphereClump::set_drag(int ibody, const BodyDrag &drag)
 void FixMultisphereClump::set_flow(int b, const BodyFlow &flow, double scale)
 {
   double mass, inertia[3];
-  response_mass(b,mass,inertia);
-  stored(b).whole.set(flow,*resistances_[clumptype_(b)],scale,axes(b),mass,inertia,update->dt);
+  response_mass(b, mass, inertia);
+  stored(b).whole.set(flow, *resistances_[clumptype_(b)], scale, axes(b), mass, inertia, update->dt);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixMultisphereClump::set_hydrostatic(int ibody, const double *force)
 {
-  std::copy(force,force + 3,stored(ibody).hydro);
+  std::copy(force, force + 3, stored(ibody).hydro);
 }
 
 /* ----------------------------------------------------------------------
@@ -169,10 +166,7 @@ void FixMultisphereClump::response_mass(int b, double &mass, double *inertia)
 
 /* ---------------------------------------------------------------------- */
 
-Eigen::Vector3d FixMultisphereClump::slip(int b)
-{
-  return Eigen::Vector3d(stored(b).whole.u) - velocity(b);
-}
+Eigen::Vector3d FixMultisphereClump::slip(int b) { return Eigen::Vector3d(stored(b).whole.u) - velocity(b); }
 
 /* ---------------------------------------------------------------------- */
 
@@ -180,9 +174,9 @@ Eigen::Matrix3d FixMultisphereClump::axes(int b)
 {
   Eigen::Matrix3d Q;
   for (int k = 0; k < 3; k++) {
-    Q(k,0) = ex_(b)[k];
-    Q(k,1) = ey_(b)[k];
-    Q(k,2) = ez_(b)[k];
+    Q(k, 0) = ex_(b)[k];
+    Q(k, 1) = ey_(b)[k];
+    Q(k, 2) = ez_(b)[k];
   }
   return Q;
 }
@@ -192,8 +186,9 @@ Eigen::Matrix3d FixMultisphereClump::axes(int b)
 void FixMultisphereClump::couple(const std::function<void()> &before)
 {
   if (CAdd_ != 0.)
-    error->all(FLERR,"Fix multisphere/clump: CAddRhoFluid gives added mass that the fluid does not know of; "
-                     "leave it out under fix couple/foam");
+    error->all(FLERR,
+               "Fix multisphere/clump: CAddRhoFluid gives added mass that the fluid does not know of; "
+               "leave it out under fix couple/foam");
   coupled_ = true;
   before_ = before;
 }

@@ -97,25 +97,25 @@ class FixMultisphereClump : public FixMultisphere {
       DragStep drag;
       ResistanceStep whole;  // with resistances_
     };
-    double hydro[3];    // part that the hydrostatic pressure has [N]
-    double force[3];    // of the last step, without it [N]
-    double impulse[3];  // since the last exchange [N s]
+    double hydro[3];            // part that the hydrostatic pressure has [N]
+    double force[3];            // of the last step, without it [N]
+    double impulse[3];          // since the last exchange [N s]
     double place[3], speed[3];  // of the centre of mass at the last exchange [m, m/s]
-    double seen;        // above 0 when it was there
-    double owner;       // whose it is
+    double seen;                // above 0 when it was there
+    double owner;               // whose it is
   };
-  enum { SIZE = sizeof(Fluid)/sizeof(double) };
+  enum { SIZE = sizeof(Fluid) / sizeof(double) };
   // LIGGGHTS makes room for a new body without a word on what is in it
-  class Store : public VectorContainer<double,SIZE> {
+  class Store : public VectorContainer<double, SIZE> {
    public:
-    using VectorContainer<double,SIZE>::VectorContainer;
+    using VectorContainer<double, SIZE>::VectorContainer;
     void addUninitialized(int n)
     {
-      VectorContainer<double,SIZE>::addUninitialized(n);
-      for (int b = this->size() - n; b < this->size(); b++) std::fill_n((*this)(b),int(SIZE),0.);
+      VectorContainer<double, SIZE>::addUninitialized(n);
+      for (int b = this->size() - n; b < this->size(); b++) std::fill_n((*this)(b), int(SIZE), 0.);
     }
   };
-  typedef VectorContainer<double,3> Vectors;
+  typedef VectorContainer<double, 3> Vectors;
 
   bool stock_features();
   bool images() const;
@@ -132,8 +132,8 @@ class FixMultisphereClump : public FixMultisphere {
   // of the bodies, kept by LIGGGHTS
   Vectors &xcm_, &vcm_, &fcm_, &torque_, &dragforce_, &hdtorque_;
   Vectors &angmom_, &omega_, &inertia_, &ex_, &ey_, &ez_;
-  VectorContainer<double,4> &quat_;
-  VectorContainer<bool,3> &fflag_, &tflag_;
+  VectorContainer<double, 4> &quat_;
+  VectorContainer<bool, 3> &fflag_, &tflag_;
   ScalarContainer<int> &clumptype_;
 
   Store *store_;
@@ -143,9 +143,9 @@ class FixMultisphereClump : public FixMultisphere {
   ScriptGravity gravity_;
   std::function<void()> before_;
   BodySpheres spheres_;
-  bool unsorted_;    // spheres have changed places in memory
-  bool unturned_;    // bodies have turned without spheres_
-  int natoms_;       // local and ghost ones when sorted
+  bool unsorted_;  // spheres have changed places in memory
+  bool unturned_;  // bodies have turned without spheres_
+  int natoms_;     // local and ghost ones when sorted
 };
 
 }

@@ -28,7 +28,9 @@ namespace {
 class ClayToInsert : public ParticleToInsertMultisphere {
  public:
   ClayToInsert(LAMMPS *lmp, const std::vector<int> &types) :
-    ParticleToInsertMultisphere(lmp, types.size()), types_(types) {}
+    ParticleToInsertMultisphere(lmp, types.size()), types_(types)
+  {
+  }
 
   int insert()
   {
@@ -45,8 +47,7 @@ class ClayToInsert : public ParticleToInsertMultisphere {
 std::vector<int> sphere_types(const ClaySettings &s)
 {
   std::vector<int> types;
-  for (const auto &sphere : s.clump)
-    types.push_back(sphere.positive ? s.positive : s.negative);
+  for (const auto &sphere : s.clump) types.push_back(sphere.positive ? s.positive : s.negative);
   return types;
 }
 
@@ -58,18 +59,27 @@ class FixTemplateClay::Words {
  public:
   Words(char **arg, const ClaySettings &s)
   {
-    add(arg[0]); add(arg[1]); add(arg[2]); add(s.seed);
-    add("atom_type"); add(std::to_string(s.positive));
+    add(arg[0]);
+    add(arg[1]);
+    add(arg[2]);
+    add(s.seed);
+    add("atom_type");
+    add(std::to_string(s.positive));
     for (const auto &w : s.passed_on) add(w);
-    add("density"); add("constant"); add(s.density);
-    add("nspheres"); add(std::to_string(s.clump.size()));
-    add("ntry"); add("1000000");  // not used
+    add("density");
+    add("constant");
+    add(s.density);
+    add("nspheres");
+    add(std::to_string(s.clump.size()));
+    add("ntry");
+    add("1000000");  // not used
     add("spheres");
     for (const auto &sphere : s.clump) {
       for (int d = 0; d < 3; d++) add(sphere.x[d]);
       add(sphere.r);
     }
-    add("type"); add(std::to_string(s.type));
+    add("type");
+    add(std::to_string(s.type));
     for (auto &w : words_) pointers_.push_back(&w[0]);
   }
   int count() const { return static_cast<int>(pointers_.size()); }
@@ -92,15 +102,16 @@ class FixTemplateClay::Words {
 
 FixTemplateClay::FixTemplateClay(LAMMPS *lmp, int narg, char **arg) :
   FixTemplateClay(lmp, read_clay_settings(lmp, narg, arg), arg)
-{}
+{
+}
 
 FixTemplateClay::FixTemplateClay(LAMMPS *lmp, const ClaySettings &s, char **arg) :
   FixTemplateClay(lmp, s, Words(arg, s))
-{}
+{
+}
 
 FixTemplateClay::FixTemplateClay(LAMMPS *lmp, const ClaySettings &s, Words &&words) :
-  FixTemplateMultisphere(lmp, words.count(), words.list()),
-  settings_(s)
+  FixTemplateMultisphere(lmp, words.count(), words.list()), settings_(s)
 {
   const std::vector<int> types = sphere_types(settings_);
   atom_type_sphere = new int[nspheres];
@@ -138,11 +149,11 @@ void FixTemplateClay::post_create()
 
   const clay::PrincipalAxes principal = clay::principalAxes(settings_.density * geometry_.inertia);
   for (int i = 0; i < 3; i++) {
-    for (int j = 0; j < 3; j++) moi_[i][j] = settings_.density * geometry_.inertia(i,j);
+    for (int j = 0; j < 3; j++) moi_[i][j] = settings_.density * geometry_.inertia(i, j);
     inertia_[i] = principal.moments[i];
-    ex_space_[i] = principal.axes(i,0);
-    ey_space_[i] = principal.axes(i,1);
-    ez_space_[i] = principal.axes(i,2);
+    ex_space_[i] = principal.axes(i, 0);
+    ey_space_[i] = principal.axes(i, 1);
+    ez_space_[i] = principal.axes(i, 2);
   }
 
   check_overlap();
@@ -158,20 +169,18 @@ void FixTemplateClay::init()
 {
   std::vector<FixTemplateMultisphere *> all;
   for (int i = 0; i < modify->nfix; i++)
-    if (FixTemplateMultisphere *t = dynamic_cast<FixTemplateMultisphere *>(modify->fix[i]))
-      all.push_back(t);
+    if (FixTemplateMultisphere *t = dynamic_cast<FixTemplateMultisphere *>(modify->fix[i])) all.push_back(t);
 
   const int n = static_cast<int>(all.size());
   char text[256];
   if (type_ > n) {
-    snprintf(text, sizeof text, "type %d with %d clump template(s): types must be 1 to %d, each used once",
-             type_, n, n);
+    snprintf(text, sizeof text, "type %d with %d clump template(s): types must be 1 to %d, each used once", type_, n,
+             n);
     error->fix_error(FLERR, this, text);
   }
   for (FixTemplateMultisphere *t : all)
     if (t != this && t->type() == type_) {
-      snprintf(text, sizeof text, "type %d is also that of fix %s: each clump template needs its own",
-               type_, t->id);
+      snprintf(text, sizeof text, "type %d is also that of fix %s: each clump template needs its own", type_, t->id);
       error->fix_error(FLERR, this, text);
     }
 
@@ -197,12 +206,11 @@ void FixTemplateClay::randomize_single()
 
 /* ---------------------------------------------------------------------- */
 
-void FixTemplateClay::init_ptilist(int n, const bool, FixPropertyAtom * const)
+void FixTemplateClay::init_ptilist(int n, const bool, FixPropertyAtom *const)
 {
   const std::vector<int> types = sphere_types(settings_);
   n_pti_max = n;
-  pti_list = static_cast<ParticleToInsert **>(
-    memory->smalloc(n * sizeof(ParticleToInsert *), "pti_list"));
+  pti_list = static_cast<ParticleToInsert **>(memory->smalloc(n * sizeof(ParticleToInsert *), "pti_list"));
   for (int i = 0; i < n; i++) pti_list[i] = new ClayToInsert(lmp, types);
 }
 
@@ -214,7 +222,7 @@ void FixTemplateClay::print_info()
   int npositive = 0;
   for (const auto &s : settings_.clump) npositive += s.positive;
 
-  FILE *streams[2] = { screen, logfile };
+  FILE *streams[2] = {screen, logfile};
   for (FILE *out : streams) {
     if (!out) continue;
     fprintf(out,
@@ -222,14 +230,13 @@ void FixTemplateClay::print_info()
             "  volume %.12g m3 (%s), mass %.12g kg\n"
             "  principal moments of inertia %.12g %.12g %.12g kg m2\n"
             "  bounding radius %.12g m, radius of equal volume %.12g m\n",
-            id, settings_.shape.c_str(), nspheres, npositive, settings_.positive,
-            nspheres - npositive, settings_.negative, volume_expect,
-            settings_.overlaps_once ? "union of the spheres" : "sum of the spheres",
+            id, settings_.shape.c_str(), nspheres, npositive, settings_.positive, nspheres - npositive,
+            settings_.negative, volume_expect, settings_.overlaps_once ? "union of the spheres" : "sum of the spheres",
             mass_expect, inertia_[0], inertia_[1], inertia_[2], r_bound, r_equiv);
     if (!settings_.verbose) continue;
     fprintf(out, "  sphere: centre (m) from the centre of mass, radius (m), atom type, share of the volume\n");
     for (int i = 0; i < nspheres; i++)
-      fprintf(out, "  %2d: %14.7e %14.7e %14.7e  %.7e  %d  %.9f\n", i + 1, x_sphere[i][0],
-              x_sphere[i][1], x_sphere[i][2], r_sphere[i], atom_type_sphere[i], volumeweight_[i]);
+      fprintf(out, "  %2d: %14.7e %14.7e %14.7e  %.7e  %d  %.9f\n", i + 1, x_sphere[i][0], x_sphere[i][1],
+              x_sphere[i][2], r_sphere[i], atom_type_sphere[i], volumeweight_[i]);
   }
 }

@@ -30,14 +30,14 @@ class FixTemplateClay : public FixTemplateMultisphere {
   void init();
 
   void randomize_single();
-  void init_ptilist(int, const bool enforce_single = false, FixPropertyAtom * const fix_release = NULL);
+  void init_ptilist(int, const bool enforce_single = false, FixPropertyAtom *const fix_release = NULL);
 
   /// The clump about its centre of mass, space axes of the template.
   const clay::Clump &clump() const { return settings_.clump; }
   /// Volume [m3], centre and inertia over density [m5] by the chosen counting.
   const clay::BodyGeometry &geometry() const { return geometry_; }
   /// Atom types of positive and negative spheres.
-  std::pair<int,int> types() const { return {settings_.positive, settings_.negative}; }
+  std::pair<int, int> types() const { return {settings_.positive, settings_.negative}; }
   double density() const { return settings_.density; }
   double mass() const { return settings_.density * geometry_.volume; }
 

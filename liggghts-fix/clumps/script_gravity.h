@@ -36,7 +36,7 @@ class ScriptGravity : protected Pointers {
   clay::GroupGravity now() const;
 
  private:
-  std::vector<FixGravity*> fixes_;
+  std::vector<FixGravity *> fixes_;
 };
 
 }  // namespace LAMMPS_NS

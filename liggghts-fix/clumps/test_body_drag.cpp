@@ -33,8 +33,8 @@ struct Body {
     step.set(drag, m, I.data(), dt);
     const Vector3d L = axes * I.asDiagonal() * axes.transpose() * y.tail<3>();
     Vector6d w;
-    step.wrench(axes.col(0).data(), axes.col(1).data(), axes.col(2).data(), y.data(), L.data(),
-                I.data(), other.data(), other.data() + 3, w.data(), w.data() + 3);
+    step.wrench(axes.col(0).data(), axes.col(1).data(), axes.col(2).data(), y.data(), L.data(), I.data(), other.data(),
+                other.data() + 3, w.data(), w.data() + 3);
     return w;
   }
 
@@ -60,10 +60,7 @@ TEST(SphereDrag, FollowsTheExactRelaxationForAnyStep)
   }
 }
 
-TEST(SphereDrag, IsNothingWithoutDrag)
-{
-  EXPECT_EQ(sphere_drag(0, 5, 1, 3, 1e-5, 1e-3), 0);
-}
+TEST(SphereDrag, IsNothingWithoutDrag) { EXPECT_EQ(sphere_drag(0, 5, 1, 3, 1e-5, 1e-3), 0); }
 
 TEST(RelaxationFactor, IsSmoothWhereTheSeriesTakesOver)
 {
@@ -79,8 +76,7 @@ TEST(BodyDrag, OfOneSphereAtTheCentreIsThatOfTheSphere)
   d.add_sphere(none, 2e-4, u, f);
   const double m = 1e-5, dt = 1e-6;
   const Vector6d w = a_body(m, 1e-12).wrench(d, Vector6d::Zero(), dt);
-  for (int k = 0; k < 3; ++k)
-    EXPECT_NEAR(w[k], f[k] + sphere_drag(2e-4, u[k], 0, f[k], m, dt), 1e-12);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(w[k], f[k] + sphere_drag(2e-4, u[k], 0, f[k], m, dt), 1e-12);
   EXPECT_EQ(w.tail<3>().norm(), 0);
 }
 

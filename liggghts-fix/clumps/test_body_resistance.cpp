@@ -14,10 +14,7 @@ const double place[4][3] = {{2e-3, 1e-3, 0}, {-1e-3, 0, 3e-3}, {0, -2e-3, -1e-3}
 const double weight[4] = {1e-4, 3e-4, 2e-4, 1.5e-4};
 const double force[4][3] = {{1e-5, 0, 2e-5}, {0, -1e-5, 0}, {3e-5, 0, 1e-5}, {0, 2e-5, 0}};
 
-Matrix3d some_axes()
-{
-  return Eigen::AngleAxisd(1.1, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
-}
+Matrix3d some_axes() { return Eigen::AngleAxisd(1.1, Vector3d(1, 2, -1).normalized()).toRotationMatrix(); }
 
 /// The fluid of one rigid motion at the spheres, as both ways of drag see it.
 struct Both {
@@ -38,8 +35,8 @@ struct Both {
 Matrix6d some_resistance()
 {
   Matrix6d R;
-  R << 9, 1, -1, .4, .8, -.3, 1, 7, 2, -.5, .6, .2, -1, 2, 8, .3, -.2, .7,
-      .4, -.5, .3, 4, .5, -.6, .8, .6, -.2, .5, 5, .3, -.3, .2, .7, -.6, .3, 6;
+  R << 9, 1, -1, .4, .8, -.3, 1, 7, 2, -.5, .6, .2, -1, 2, 8, .3, -.2, .7, .4, -.5, .3, 4, .5, -.6, .8, .6, -.2, .5, 5,
+      .3, -.3, .2, .7, -.6, .3, 6;
   R.topRightCorner<3, 3>() *= 1e-3;
   R.bottomLeftCorner<3, 3>() *= 1e-3;
   R.bottomRightCorner<3, 3>() *= 1e-6;
@@ -138,8 +135,8 @@ TEST(ResistanceStep, EndsAtTheMotionWhereAllIsInBalanceForAnyStep)
     for (int n = 0; n < 4000; n++) {
       Vector6d w;
       const Vector3d L = J * y.tail<3>();
-      step.wrench(R, axes.col(0).data(), axes.col(1).data(), axes.col(2).data(), y.data(), L.data(),
-                  I, other.data(), other.data() + 3, w.data(), w.data() + 3);
+      step.wrench(R, axes.col(0).data(), axes.col(1).data(), axes.col(2).data(), y.data(), L.data(), I, other.data(),
+                  other.data() + 3, w.data(), w.data() + 3);
       w += other;
       y.head<3>() += dt / m * w.head<3>();
       y.tail<3>() += dt * (J.inverse() * w.tail<3>());
@@ -172,8 +169,8 @@ TEST(ResistanceStep, IsSecondOrderInTheStep)
     for (int n = 0; n < steps; n++) {
       Vector6d w;
       const Vector3d L = Vector3d(I[0], I[1], I[2]).cwiseProduct(y.tail<3>());
-      step.wrench(R, axes.col(0).data(), axes.col(1).data(), axes.col(2).data(), y.data(), L.data(),
-                  I, other.data(), other.data() + 3, w.data(), w.data() + 3);
+      step.wrench(R, axes.col(0).data(), axes.col(1).data(), axes.col(2).data(), y.data(), L.data(), I, other.data(),
+                  other.data() + 3, w.data(), w.data() + 3);
       y += T / steps * inertia.cwiseInverse().cwiseProduct(w + other);
     }
     const double error = ((y - exact).cwiseQuotient(exact)).norm();

@@ -75,9 +75,8 @@ TEST(BodyRotation, OfASymmetricTopPrecesses)
   for (int n = 0; n < 4000; ++n) block.turn(1e-5);
   const double t = 0.04;
   const Matrix3d expected = Eigen::AngleAxisd(L.norm() / I[0] * t, L.normalized()) * start *
-                            Eigen::AngleAxisd((1 / I[2] - 1 / I[0]) * 9e-9 * t, Vector3d::UnitZ());
-  for (int i = 0; i < RotationBlock::SIZE; ++i)
-    EXPECT_LT((axes_of(block, i) - expected).norm(), 1e-6);
+      Eigen::AngleAxisd((1 / I[2] - 1 / I[0]) * 9e-9 * t, Vector3d::UnitZ());
+  for (int i = 0; i < RotationBlock::SIZE; ++i) EXPECT_LT((axes_of(block, i) - expected).norm(), 1e-6);
 }
 
 TEST(BodyRotation, OfAnAsymmetricBodyKeepsItsEnergyToThirdOrder)

@@ -21,8 +21,9 @@ Clump turned(Clump c, const Matrix3d& R, const Vector3d& shift)
 
 Matrix3d someRotation()
 {
-  return (Eigen::AngleAxisd(0.7, Vector3d::UnitX()) * Eigen::AngleAxisd(-1.1, Vector3d::UnitY())
-          * Eigen::AngleAxisd(2.3, Vector3d::UnitZ())).toRotationMatrix();
+  return (Eigen::AngleAxisd(0.7, Vector3d::UnitX()) * Eigen::AngleAxisd(-1.1, Vector3d::UnitY()) *
+          Eigen::AngleAxisd(2.3, Vector3d::UnitZ()))
+      .toRotationMatrix();
 }
 
 // volume, moments about the contact plane of a sphere cut at z = -h from its centre
@@ -151,8 +152,10 @@ TEST(ClumpGeometry, closePlateDoesNotDependOnItsOrientation)
 
 TEST(ClumpGeometry, irregularClumpAgainstCountedPoints)
 {
-  const Clump c{{Vector3d(0, 0, 0), 1}, {Vector3d(1.1, 0.2, 0.1), 0.7},
-                {Vector3d(0.3, 0.9, 0.4), 0.8}, {Vector3d(-0.2, 0.3, 1.2), 0.5}};
+  const Clump c{{Vector3d(0, 0, 0), 1},
+                {Vector3d(1.1, 0.2, 0.1), 0.7},
+                {Vector3d(0.3, 0.9, 0.4), 0.8},
+                {Vector3d(-0.2, 0.3, 1.2), 0.5}};
   const auto g = unionOfSpheres(c);
   const int n = 240;
   const double lo = -1.1, cell = 3.1 / n;
@@ -168,7 +171,10 @@ TEST(ClumpGeometry, irregularClumpAgainstCountedPoints)
         double least = 0;
         for (std::size_t s = 0; s < c.size(); ++s) {
           const double power = (p - c[s].x).squaredNorm() - c[s].r * c[s].r;
-          if (power < least) { least = power; owner = int(s); }
+          if (power < least) {
+            least = power;
+            owner = int(s);
+          }
         }
         if (owner < 0) continue;
         count += 1;

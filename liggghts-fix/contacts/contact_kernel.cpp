@@ -14,10 +14,7 @@
 
 namespace clay {
 
-void ContactPairs::clear()
-{
-  resize(0);
-}
+void ContactPairs::clear() { resize(0); }
 
 void ContactPairs::resize(int n)
 {
@@ -92,7 +89,10 @@ CLAY_INLINE Two two(const double *p)
 CLAY_INLINE void put(double *p, Two t) { std::memcpy(p, &t, sizeof t); }
 
 // three numbers of one sphere, or their difference to those of another
-struct Three { Two xy; double z; };
+struct Three {
+  Two xy;
+  double z;
+};
 
 CLAY_INLINE Three three(const double *p) { return {two(p), p[2]}; }
 CLAY_INLINE Three three(const double *p, const double *q) { return {two(p) - two(q), p[2] - q[2]}; }
@@ -118,8 +118,8 @@ CLAY_INLINE void gather(Block &b, const ContactSpheres &s, const Slice &p, int n
 }
 
 // of i against the point of the wall that is nearest to it
-CLAY_INLINE void gather(Block &b, const ContactSpheres &s, const Slice &p, const WallShape &wall,
-                        const double *history, int n)
+CLAY_INLINE void gather(Block &b, const ContactSpheres &s, const Slice &p, const WallShape &wall, const double *history,
+                        int n)
 {
   const Three none = {Two{0, 0}, 0};
   for (int k = 0; k < n; k += 2) {
@@ -246,15 +246,15 @@ CLAY_INLINE int scatter(const Block &b, const ContactSpheres &s, const Slice &p,
 }
 
 CLAY_CLONES int everyBlockAtWall(const ContactSpheres &spheres, ContactPairs &p, const WallShape &wall, double *history,
-                           double dt, double fresh, double least)
+                                 double dt, double fresh, double least)
 {
   alignas(64) Block b;
   const int size = p.size();
   int touching = 0;
   for (int k = 0; k < size; k += BLOCK) {
     const int n = std::min(BLOCK, size - k);
-    const Slice s = {&p.i[k], &p.j[k], &p.ri[k], &p.rj[k], &p.kn[k], &p.kt[k], &p.gamman[k], &p.gammat[k],
-                     &p.friction[k], &p.softness[k], b.s[0], b.s[1], b.s[2], b.touched};
+    const Slice s = {&p.i[k],      &p.j[k],        &p.ri[k],       &p.rj[k], &p.kn[k], &p.kt[k], &p.gamman[k],
+                     &p.gammat[k], &p.friction[k], &p.softness[k], b.s[0],   b.s[1],   b.s[2],   b.touched};
     gather(b, spheres, s, wall, history, n);
     act(b, s, dt, fresh, least, n);
     touching += scatter(b, spheres, s, history, n);
@@ -268,8 +268,8 @@ CLAY_CLONES void everyBlock(const ContactSpheres &spheres, ContactPairs &p, doub
   const int size = p.size();
   for (int k = 0; k < size; k += BLOCK) {
     const int n = std::min(BLOCK, size - k);
-    const Slice s = {&p.i[k], &p.j[k], &p.ri[k], &p.rj[k], &p.kn[k], &p.kt[k], &p.gamman[k], &p.gammat[k],
-                     &p.friction[k], &p.softness[k], &p.sx[k], &p.sy[k], &p.sz[k], &p.touched[k]};
+    const Slice s = {&p.i[k],      &p.j[k],        &p.ri[k],       &p.rj[k], &p.kn[k], &p.kt[k], &p.gamman[k],
+                     &p.gammat[k], &p.friction[k], &p.softness[k], &p.sx[k], &p.sy[k], &p.sz[k], &p.touched[k]};
     gather(b, spheres, s, n);
     act(b, s, dt, fresh, least, n);
     scatter(b, spheres, s, n);
@@ -290,20 +290,18 @@ CLAY_CLONES double farthest(const double *x, const double *was, int n)
 
 }  // namespace
 
-bool stayed(const double *x, const double *was, int n, double reach)
-{
-  return farthest(x, was, n) < reach * reach;
-}
+bool stayed(const double *x, const double *was, int n, double reach) { return farthest(x, was, n) < reach * reach; }
 
 void contactForces(const ContactSpheres &spheres, ContactPairs &pairs, double dt, bool update, bool limit)
 {
   everyBlock(spheres, pairs, update ? dt : 0.0, update ? 1.0 : 0.0, limit ? 0.0 : -HUGE_VAL);
 }
 
-int wallForces(const ContactSpheres &spheres, ContactPairs &pairs, const WallShape &wall, double *history,
-               double dt, bool update, bool limit)
+int wallForces(const ContactSpheres &spheres, ContactPairs &pairs, const WallShape &wall, double *history, double dt,
+               bool update, bool limit)
 {
-  return everyBlockAtWall(spheres, pairs, wall, history, update ? dt : 0.0, update ? 1.0 : 0.0, limit ? 0.0 : -HUGE_VAL);
+  return everyBlockAtWall(spheres, pairs, wall, history, update ? dt : 0.0, update ? 1.0 : 0.0,
+                          limit ? 0.0 : -HUGE_VAL);
 }
 
 }  // namespace clay

@@ -29,10 +29,10 @@ struct ContactSpheres {
 /// Pairs of spheres that touch or may touch soon, one array a quantity.
 struct ContactPairs {
   std::vector<int> i, j;
-  std::vector<double> ri, rj;                         ///< radii [m]
+  std::vector<double> ri, rj;                                      ///< radii [m]
   std::vector<double> kn, kt, gamman, gammat, friction, softness;  ///< as in ContactLaw; 1/kt
-  std::vector<double> sx, sy, sz;                     ///< tangential displacement of i over j [m]
-  std::vector<double> touched;                        ///< 1 for a pair that has touched, or else 0
+  std::vector<double> sx, sy, sz;                                  ///< tangential displacement of i over j [m]
+  std::vector<double> touched;                                     ///< 1 for a pair that has touched, or else 0
 
   int size() const { return static_cast<int>(i.size()); }
   void clear();
@@ -51,8 +51,8 @@ void contactForces(const ContactSpheres &spheres, ContactPairs &pairs, double dt
 struct WallShape {
   int axis = 0;
   bool cylinder = false;
-  double at = 0;             ///< the plane's place, the cylinder's radius [m]
-  double centre[2] = {0, 0}; ///< of the cylinder, on the two axes that follow [m]
+  double at = 0;              ///< the plane's place, the cylinder's radius [m]
+  double centre[2] = {0, 0};  ///< of the cylinder, on the two axes that follow [m]
 
   /// Distance of a point from the wall [m].
   double gap(const double *x) const;
@@ -61,8 +61,8 @@ struct WallShape {
 /// The same for spheres i of the pairs at a wall at rest, which stands for j; all of them are
 /// owned. `history` holds three displacements for each sphere in place of sx, sy, sz; they
 /// are 0 where it does not touch. Returns the number of spheres that do.
-int wallForces(const ContactSpheres &spheres, ContactPairs &pairs, const WallShape &wall, double *history,
-               double dt, bool update, bool limit);
+int wallForces(const ContactSpheres &spheres, ContactPairs &pairs, const WallShape &wall, double *history, double dt,
+               bool update, bool limit);
 
 /// Whether none of n points x, three numbers each, is as far as `reach` [m] from where it was.
 bool stayed(const double *x, const double *was, int n, double reach);

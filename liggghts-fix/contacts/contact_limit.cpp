@@ -21,8 +21,7 @@ Matrix3d crossMatrix(const Vector3d& r)
 }
 
 // spheres that touch a plane pressed against the clump from direction n
-std::vector<std::size_t> touching(const std::vector<Vector3d>& x, const std::vector<double>& r,
-                                  const Vector3d& n)
+std::vector<std::size_t> touching(const std::vector<Vector3d>& x, const std::vector<double>& r, const Vector3d& n)
 {
   double reach = -1e300, size = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -62,8 +61,7 @@ double ContactMatrices::step(double mass, const Matrix3d& inertia) const
   M.topLeftCorner<3, 3>() = mass * Matrix3d::Identity();
   M.bottomRightCorner<3, 3>() = inertia;
   const auto largest = [&M](const Matrix6d& A) {
-    return Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6d>(A, M, Eigen::EigenvaluesOnly)
-        .eigenvalues().maxCoeff();
+    return Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6d>(A, M, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
   };
   // the two matrices' own largest eigenvalues enclose the step within a factor two
   double lo = oscillatorStep(largest(K), largest(C)), hi = 4 * lo;
@@ -111,8 +109,7 @@ double attractedOverlap(double pull, double stiffness, double diameter)
   return low;
 }
 
-ContactCoefficients hookeCoefficients(double radius, double mass, double modulus, double velocity,
-                                      double restitution)
+ContactCoefficients hookeCoefficients(double radius, double mass, double modulus, double velocity, double restitution)
 {
   ContactCoefficients c;
   const double stiff = std::sqrt(radius) * modulus;
@@ -124,8 +121,7 @@ ContactCoefficients hookeCoefficients(double radius, double mass, double modulus
 }
 
 std::vector<BodyContact> restingContacts(const std::vector<Vector3d>& x, const std::vector<double>& r,
-                                         const ContactCoefficients& withWall,
-                                         const ContactCoefficients& withBody)
+                                         const ContactCoefficients& withWall, const ContactCoefficients& withBody)
 {
   // faces: normals of planes through three spheres; of equal radii, that is all
   Vector3d floor = -Vector3d::UnitZ();
@@ -138,7 +134,10 @@ std::vector<BodyContact> restingContacts(const std::vector<Vector3d>& x, const s
         for (double side : {-1.0, 1.0}) {
           const Vector3d u = side * n.normalized();
           const std::size_t count = touching(x, r, u).size();
-          if (count > most) { most = count; floor = u; }
+          if (count > most) {
+            most = count;
+            floor = u;
+          }
         }
       }
   // an upright wall: the side, at right angles to the floor, where most touch
@@ -149,14 +148,16 @@ std::vector<BodyContact> restingContacts(const std::vector<Vector3d>& x, const s
       const Vector3d n = (x[i] - x[j]).cross(floor);
       if (n.norm() < 1e-9 * r[i]) continue;
       const std::size_t count = touching(x, r, n.normalized()).size();
-      if (count > most) { most = count; wall = n.normalized(); }
+      if (count > most) {
+        most = count;
+        wall = n.normalized();
+      }
     }
 
   std::vector<BodyContact> contacts;
   for (const Vector3d& n : {floor, wall})
     for (std::size_t i : touching(x, r, n)) contacts.push_back({x[i] + r[i] * n, n, withWall, true});
-  for (std::size_t i : touching(x, r, -floor))
-    contacts.push_back({x[i] - r[i] * floor, -floor, withBody, false});
+  for (std::size_t i : touching(x, r, -floor)) contacts.push_back({x[i] - r[i] * floor, -floor, withBody, false});
   return contacts;
 }
 

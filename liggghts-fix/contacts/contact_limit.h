@@ -25,14 +25,13 @@ struct BodyContact {
   Eigen::Vector3d arm;     ///< from the centre of mass to the contact [m]
   Eigen::Vector3d normal;  ///< unit vector
   ContactCoefficients coefficients;
-  bool fixed = true;       ///< with a wall; else with another body that moves as well
+  bool fixed = true;  ///< with a wall; else with another body that moves as well
 };
 
 /// Step [s] at which the body, with all these contacts closed and sticking,
 /// becomes unstable. inertia [kg m2] is about the centre of mass. A contact
 /// with another body counts twice, as both can move against each other.
-double stableStep(double mass, const Eigen::Matrix3d& inertia,
-                  const std::vector<BodyContact>& contacts);
+double stableStep(double mass, const Eigen::Matrix3d& inertia, const std::vector<BodyContact>& contacts);
 
 /// The 6 x 6 stiffness and damping of a body's contacts, about its centre of
 /// mass: they add up contact by contact, on whichever processor that is known.
@@ -66,8 +65,7 @@ double attractedOverlap(double pull, double stiffness, double diameter);
 
 /// Coefficients of LIGGGHTS's model hooke for an effective radius [m] and mass
 /// [kg], effective modulus [Pa], characteristic velocity [m/s], restitution.
-ContactCoefficients hookeCoefficients(double radius, double mass, double modulus,
-                                      double velocity, double restitution);
+ContactCoefficients hookeCoefficients(double radius, double mass, double modulus, double velocity, double restitution);
 
 /// Effective modulus [Pa] of two materials from Young's moduli and Poisson's ratios.
 double effectiveModulus(double youngs1, double poisson1, double youngs2, double poisson2);
@@ -76,9 +74,7 @@ double effectiveModulus(double youngs1, double poisson1, double youngs2, double 
 /// with a wall at its side and as many contacts from above as from below: what
 /// a plate at the foot of a column meets. The directions are those in which
 /// most spheres touch.
-std::vector<BodyContact> restingContacts(const std::vector<Eigen::Vector3d>& centres,
-                                         const std::vector<double>& radii,
-                                         const ContactCoefficients& withWall,
-                                         const ContactCoefficients& withBody);
+std::vector<BodyContact> restingContacts(const std::vector<Eigen::Vector3d>& centres, const std::vector<double>& radii,
+                                         const ContactCoefficients& withWall, const ContactCoefficients& withBody);
 
 }  // namespace clay

@@ -13,7 +13,7 @@ using namespace LAMMPS_NS;
 /* ---------------------------------------------------------------------- */
 
 FixContactHistoryLean::FixContactHistoryLean(LAMMPS *lmp, int narg, char **arg) :
-  FixContactHistory(lmp,narg,arg), lean_(NULL)
+  FixContactHistory(lmp, narg, arg), lean_(NULL)
 {
 }
 
@@ -21,13 +21,12 @@ FixContactHistoryLean::FixContactHistoryLean(LAMMPS *lmp, int narg, char **arg) 
 
 void FixContactHistoryLean::init()
 {
-  if (!lean_)
-    error->all(FLERR,"Fix contacthistory/lean is made by pair_style gran/lean, not by a script");
+  if (!lean_) error->all(FLERR, "Fix contacthistory/lean is made by pair_style gran/lean, not by a script");
   if (atom->tag_enable == 0)
-    error->all(FLERR,"Pair style gran/lean: atoms need IDs, for the history of their contacts");
+    error->all(FLERR, "Pair style gran/lean: atoms need IDs, for the history of their contacts");
   int dim;
   pair_gran_ = lean_;
-  computeflag_ = static_cast<int *>(lean_->extract("computeflag",dim));
+  computeflag_ = static_cast<int *>(lean_->extract("computeflag", dim));
   allocate_pages();
 }
 

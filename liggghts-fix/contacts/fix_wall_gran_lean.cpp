@@ -30,7 +30,7 @@ using namespace LAMMPS_NS;
 namespace {
 
 const double ROUNDING = 1.0e-12;
-const double AHEAD = 0.02;      // spheres this close, over the radius, are made pairs with those that touch
+const double AHEAD = 0.02;  // spheres this close, over the radius, are made pairs with those that touch
 enum { MANY = 32, SELDOM = 100 };
 
 }
@@ -38,17 +38,15 @@ enum { MANY = 32, SELDOM = 100 };
 /* ---------------------------------------------------------------------- */
 
 FixWallGranLean::FixWallGranLean(LAMMPS *lmp, int narg, char **arg) :
-  FixWallGran(lmp,narg,arg),
-  kn_(NULL), kt_(NULL), gamman_(NULL), gammat_(NULL), friction_(NULL),
-  modulus_(NULL), restitution_log_(NULL), speed_(0.0),
-  listed_(false), tidied_(0), looked_(0), touched_(0)
+  FixWallGran(lmp, narg, arg), kn_(NULL), kt_(NULL), gamman_(NULL), gammat_(NULL), friction_(NULL), modulus_(NULL),
+  restitution_log_(NULL), speed_(0.0), listed_(false), tidied_(0), looked_(0), touched_(0)
 {
   vector_flag = 1;
   size_vector = 2;
   global_freq = 1;
   extvector = 0;
-  read_model(narg,arg);
-  read_shape(narg,arg);
+  read_model(narg, arg);
+  read_shape(narg, arg);
 }
 
 /* ----------------------------------------------------------------------
@@ -59,16 +57,19 @@ void FixWallGranLean::read_model(int narg, char **arg)
 {
   try {
     for (int i = 3; i + 1 < narg; i++) {
-      model_.take(arg[i],arg[i+1]);
-      for (const char *odd : {"computeElasticPotential", "computeDissipatedEnergy", "heating_tangential_history", "viscous", "disableWhenBonded"})
-        if (!strcmp(arg[i],odd) && !strcmp(arg[i+1],"on")) throw std::invalid_argument(std::string("it cannot do '") + odd + " on'");
+      model_.take(arg[i], arg[i + 1]);
+      for (const char *odd : {"computeElasticPotential", "computeDissipatedEnergy", "heating_tangential_history",
+                              "viscous", "disableWhenBonded"})
+        if (!strcmp(arg[i], odd) && !strcmp(arg[i + 1], "on"))
+          throw std::invalid_argument(std::string("it cannot do '") + odd + " on'");
     }
     model_.complete();
   } catch (const std::invalid_argument &e) {
-    error->all(FLERR,(std::string("Fix wall/gran/lean: ") + e.what() + "; for anything else take fix wall/gran").c_str());
+    error->all(FLERR,
+               (std::string("Fix wall/gran/lean: ") + e.what() + "; for anything else take fix wall/gran").c_str());
   }
   if (meshwall_ != 0)
-    error->all(FLERR,"Fix wall/gran/lean: a primitive wall is needed; for a mesh take fix wall/gran");
+    error->all(FLERR, "Fix wall/gran/lean: a primitive wall is needed; for a mesh take fix wall/gran");
 }
 
 /* ----------------------------------------------------------------------
@@ -78,12 +79,12 @@ void FixWallGranLean::read_model(int narg, char **arg)
 void FixWallGranLean::read_shape(int narg, char **arg)
 {
   int i = 3;
-  while (i < narg && strcmp(arg[i],"primitive")) i++;
-  const char *name = arg[i+3];
+  while (i < narg && strcmp(arg[i], "primitive")) i++;
+  const char *name = arg[i + 3];
   shape_.axis = name[0] - 'x';
-  shape_.cylinder = !strcmp(name+1,"cylinder");
-  shape_.at = atof(arg[i+4]);
-  for (int k = 0; shape_.cylinder && k < 2; k++) shape_.centre[k] = atof(arg[i+5+k]);
+  shape_.cylinder = !strcmp(name + 1, "cylinder");
+  shape_.at = atof(arg[i + 4]);
+  for (int k = 0; shape_.cylinder && k < 2; k++) shape_.centre[k] = atof(arg[i + 5 + k]);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -92,18 +93,18 @@ void FixWallGranLean::init()
 {
   FixWallGran::init();
   const char *who = "fix wall/gran/lean";
-  force->registry.connect("coeffFrict",friction_,who);
+  force->registry.connect("coeffFrict", friction_, who);
   listed_ = false;
   if (model_.modulus()) {
-    force->registry.connect("Yeff",modulus_,who);
-    force->registry.connect("charVel",speed_,who);
-    force->registry.connect("coeffRestLog",restitution_log_,who);
+    force->registry.connect("Yeff", modulus_, who);
+    force->registry.connect("charVel", speed_, who);
+    force->registry.connect("coeffRestLog", restitution_log_, who);
     return;
   }
-  force->registry.connect("k_n",kn_,who);
-  force->registry.connect("k_t",kt_,who);
-  force->registry.connect(model_.absoluteDamping ? "gamman_abs" : "gamman",gamman_,who);
-  force->registry.connect(model_.absoluteDamping ? "gammat_abs" : "gammat",gammat_,who);
+  force->registry.connect("k_n", kn_, who);
+  force->registry.connect("k_t", kt_, who);
+  force->registry.connect(model_.absoluteDamping ? "gamman_abs" : "gamman", gamman_, who);
+  force->registry.connect(model_.absoluteDamping ? "gammat_abs" : "gammat", gammat_, who);
 }
 
 /* ----------------------------------------------------------------------
@@ -113,9 +114,9 @@ void FixWallGranLean::init()
 bool FixWallGranLean::lean_step() const
 {
   return radius_ && rmass_ && dnum_ == 3 && computeflag_ && !addflag_ && !shear_ && !store_force_ &&
-         !store_force_contact_ && !store_force_contact_stress_ && !fix_store_multicontact_data_ &&
-         !heattransfer_flag_ && !track_energy_ && !fix_rigid_ && !fix_sum_normal_force_ &&
-         !stress_flag_ && !atom->shapetype_flag && neighbor->contactDistanceFactor == 1.0;
+      !store_force_contact_ && !store_force_contact_stress_ && !fix_store_multicontact_data_ && !heattransfer_flag_ &&
+      !track_energy_ && !fix_rigid_ && !fix_sum_normal_force_ && !stress_flag_ && !atom->shapetype_flag &&
+      neighbor->contactDistanceFactor == 1.0;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -125,15 +126,15 @@ clay::ContactLaw FixWallGranLean::law(int i) const
   const int a = atom->type[i], b = atom_type_wall_;
   clay::ContactLaw law;
   if (model_.modulus()) {
-    law = clay::hookeLaw(radius_[i],rmass_[i],modulus_[a][b],speed_,restitution_log_[a][b]);
+    law = clay::hookeLaw(radius_[i], rmass_[i], modulus_[a][b], speed_, restitution_log_[a][b]);
     law.kn /= force->nktv2p;
-    law.kt = model_.softer ? 0.285714286*law.kn : law.kn;
+    law.kt = model_.softer ? 0.285714286 * law.kn : law.kn;
   } else {
     const double moving = model_.absoluteDamping ? 1.0 : rmass_[i];
-    law.kn = kn_[a][b]/force->nktv2p;
-    law.kt = kt_[a][b]/force->nktv2p;
-    law.gamman = moving*gamman_[a][b];
-    law.gammat = moving*gammat_[a][b];
+    law.kn = kn_[a][b] / force->nktv2p;
+    law.kt = kt_[a][b] / force->nktv2p;
+    law.gamman = moving * gamman_[a][b];
+    law.gammat = moving * gammat_[a][b];
   }
   if (!model_.tangentialDamping) law.gammat = 0.0;
   law.friction = friction_[a][b];
@@ -160,9 +161,10 @@ void FixWallGranLean::list()
   for (int k = 0; k < n; k++) {
     const int i = spheres[k];
     if (!(atom->mask[i] & groupbit)) continue;
-    const double r = radius_[i], inner = std::max(0.0,shape_.at - r), outer = shape_.at + r;
-    if (shape_.cylinder) near_.push_back({i,r,rmass_[i],(1.0 - ROUNDING)*inner*inner,(1.0 + ROUNDING)*outer*outer});
-    else near_.push_back({i,r,rmass_[i],0.0,(1.0 + ROUNDING)*r});
+    const double r = radius_[i], inner = std::max(0.0, shape_.at - r), outer = shape_.at + r;
+    if (shape_.cylinder)
+      near_.push_back({i, r, rmass_[i], (1.0 - ROUNDING) * inner * inner, (1.0 + ROUNDING) * outer * outer});
+    else near_.push_back({i, r, rmass_[i], 0.0, (1.0 + ROUNDING) * r});
     if (shape_.gap(x_[i]) > r) history[i][0] = history[i][1] = history[i][2] = 0.0;
   }
   add_touching();
@@ -176,8 +178,8 @@ void FixWallGranLean::add_touching()
 {
   const double none[3] = {0.0, 0.0, 0.0};
   for (Near &s : near_) {
-    if (s.to < 0.0 || shape_.gap(x_[s.atom]) > (1.0 + AHEAD)*s.radius) continue;
-    pairs_.add(s.atom,s.atom,s.radius,0.0,law(s.atom),none,false);
+    if (s.to < 0.0 || shape_.gap(x_[s.atom]) > (1.0 + AHEAD) * s.radius) continue;
+    pairs_.add(s.atom, s.atom, s.radius, 0.0, law(s.atom), none, false);
     s.from = HUGE_VAL;
     s.to = -1.0;
   }
@@ -191,17 +193,17 @@ void FixWallGranLean::add_touching()
 bool FixWallGranLean::meets(bool &changed) const
 {
   int meet = 0, other = 0;
-  const int a = shape_.axis, b = (a+1)%3, c = (a+2)%3;
+  const int a = shape_.axis, b = (a + 1) % 3, c = (a + 2) % 3;
   const double *x = x_[0], at = shape_.at, cb = shape_.centre[0], cc = shape_.centre[1];
   if (shape_.cylinder)
     for (const Near &s : near_) {
-      const double *p = x + 3*s.atom, db = p[b] - cb, dc = p[c] - cc, d2 = db*db + dc*dc;
+      const double *p = x + 3 * s.atom, db = p[b] - cb, dc = p[c] - cc, d2 = db * db + dc * dc;
       meet |= (d2 >= s.from) & (d2 <= s.to);
       other |= (radius_[s.atom] != s.radius) | (rmass_[s.atom] != s.mass);
     }
   else
     for (const Near &s : near_) {
-      meet |= fabs(x[3*s.atom+a] - at) <= s.to;
+      meet |= fabs(x[3 * s.atom + a] - at) <= s.to;
       other |= (radius_[s.atom] != s.radius) | (rmass_[s.atom] != s.mass);
     }
   changed = other;
@@ -223,25 +225,22 @@ void FixWallGranLean::post_force_primitive(int vflag)
   looked_ += near_.size();
   if (pairs_.size() == 0) return;
 
-  const clay::ContactSpheres spheres = { atom->x[0], atom->v[0], atom->omega[0],
-                                         atom->f[0], atom->torque[0], atom->nlocal };
-  const int touching = clay::wallForces(spheres,pairs_,shape_,fix_history_primitive_->array_atom[0],
-                                        update->dt,shearupdate_,model_.limitForce);
+  const clay::ContactSpheres spheres = {atom->x[0], atom->v[0],      atom->omega[0],
+                                        atom->f[0], atom->torque[0], atom->nlocal};
+  const int touching = clay::wallForces(spheres, pairs_, shape_, fix_history_primitive_->array_atom[0], update->dt,
+                                        shearupdate_, model_.limitForce);
   touched_ += touching;
   // many that have left
-  if (pairs_.size() > 2*touching + MANY && update->ntimestep > tidied_ + SELDOM) listed_ = false;
+  if (pairs_.size() > 2 * touching + MANY && update->ntimestep > tidied_ + SELDOM) listed_ = false;
 }
 
 /* ----------------------------------------------------------------------
    spheres looked at, spheres in contact, of all steps on this processor
 ------------------------------------------------------------------------- */
 
-double FixWallGranLean::compute_vector(int n)
-{
-  return n == 0 ? double(looked_) : double(touched_);
-}
+double FixWallGranLean::compute_vector(int n) { return n == 0 ? double(looked_) : double(touched_); }
 
 double FixWallGranLean::memory_usage()
 {
-  return FixWallGran::memory_usage() + pairs_.size()*13.0*sizeof(double) + near_.size()*sizeof(Near);
+  return FixWallGran::memory_usage() + pairs_.size() * 13.0 * sizeof(double) + near_.size() * sizeof(Near);
 }

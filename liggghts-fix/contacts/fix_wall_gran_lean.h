@@ -37,9 +37,9 @@ class FixWallGranLean : public FixWallGran {
  private:
   struct Near {
     int atom;
-    double radius, mass;         // when it was listed
-    double from, to;             // plane: not used, gap; cylinder: squared distances
-                                 // from its axis, in which it touches; none once in pairs_
+    double radius, mass;  // when it was listed
+    double from, to;      // plane: not used, gap; cylinder: squared distances
+                          // from its axis, in which it touches; none once in pairs_
   };
 
   void read_model(int narg, char **arg);
@@ -55,11 +55,11 @@ class FixWallGranLean : public FixWallGran {
   double **modulus_, **restitution_log_, speed_;  // of model hooke
 
   clay::WallShape shape_;
-  std::vector<Near> near_;       // wall/gran's list of spheres near the wall
-  clay::ContactPairs pairs_;     // those of them that touch, have touched or are about to
+  std::vector<Near> near_;    // wall/gran's list of spheres near the wall
+  clay::ContactPairs pairs_;  // those of them that touch, have touched or are about to
   bool listed_;
-  bigint tidied_;                // step at which pairs_ was begun anew
-  bigint looked_, touched_;      // spheres near the wall and at it, all steps
+  bigint tidied_;            // step at which pairs_ was begun anew
+  bigint looked_, touched_;  // spheres near the wall and at it, all steps
 };
 
 }

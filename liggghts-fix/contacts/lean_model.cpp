@@ -16,15 +16,18 @@ bool LeanModel::take(const std::string& name, const std::string& value)
   else if (name == "surface") can = value == "default";
   else {
     bool* on = name == "tangential_damping" ? &tangentialDamping
-             : name == "absolute_damping"   ? &absoluteDamping
-             : name == "limitForce"         ? &limitForce
-             : name == "ktToKnUser"         ? &softer : nullptr;
+        : name == "absolute_damping"        ? &absoluteDamping
+        : name == "limitForce"              ? &limitForce
+        : name == "ktToKnUser"              ? &softer
+                                            : nullptr;
     if (!on) return false;
     can = value == "on" || value == "off";
     *on = value == "on";
   }
   if (!can)
-    throw std::invalid_argument("'" + name + " " + value + "' is not among what it can do: "
+    throw std::invalid_argument(
+        "'" + name + " " + value +
+        "' is not among what it can do: "
         "model hooke/stiffness tangential history [tangential_damping|absolute_damping|limitForce on|off], "
         "model hooke tangential history [tangential_damping|limitForce|ktToKnUser on|off]");
   return true;

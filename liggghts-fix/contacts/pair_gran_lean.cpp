@@ -25,11 +25,9 @@ using namespace LAMMPS_NS;
 
 /* ---------------------------------------------------------------------- */
 
-PairGranLean::PairGranLean(LAMMPS *lmp) : PairGranProxy(lmp),
-  flags_read_(false),
-  kn_(NULL), kt_(NULL), gamman_(NULL), gammat_(NULL), friction_(NULL),
-  modulus_(NULL), restitution_log_(NULL), speed_(0.0),
-  margin_(0.0), sought_(false), built_(-1), inum_(0), searches_(0)
+PairGranLean::PairGranLean(LAMMPS *lmp) :
+  PairGranProxy(lmp), flags_read_(false), kn_(NULL), kt_(NULL), gamman_(NULL), gammat_(NULL), friction_(NULL),
+  modulus_(NULL), restitution_log_(NULL), speed_(0.0), margin_(0.0), sought_(false), built_(-1), inum_(0), searches_(0)
 {
 }
 
@@ -42,32 +40,36 @@ void PairGranLean::settings(int narg, char **arg)
   model_ = clay::LeanModel();
   try {
     for (int i = 0; i < narg; i += 2) {
-      const std::string word = arg[i], value = i+1 < narg ? arg[i+1] : "";
-      if (!model_.take(word,value)) throw std::invalid_argument("'" + word + " " + value + "' is not among what it can do");
+      const std::string word = arg[i], value = i + 1 < narg ? arg[i + 1] : "";
+      if (!model_.take(word, value))
+        throw std::invalid_argument("'" + word + " " + value + "' is not among what it can do");
     }
     model_.complete();
   } catch (const std::invalid_argument &e) {
-    error->all(FLERR,(std::string("Pair style gran/lean: ") + e.what() + "; for anything else take pair_style gran").c_str());
+    error->all(FLERR,
+               (std::string("Pair style gran/lean: ") + e.what() + "; for anything else take pair_style gran").c_str());
   }
-  PairGranProxy::settings(narg,arg);
+  PairGranProxy::settings(narg, arg);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void PairGranLean::init_style()
 {
-  if (!contact_match("normal",model_.modulus() ? "hooke" : "hooke/stiffness") || !contact_match("tangential","history"))
-    error->all(FLERR,"Pair style gran/lean: the restart file is of another contact model; take pair_style gran");
+  if (!contact_match("normal", model_.modulus() ? "hooke" : "hooke/stiffness") ||
+      !contact_match("tangential", "history"))
+    error->all(FLERR, "Pair style gran/lean: the restart file is of another contact model; take pair_style gran");
   if (neighbor->contactDistanceFactor != 1.0)
-    error->all(FLERR,"Pair style gran/lean: contact_distance_factor must be 1; for another take pair_style gran");
+    error->all(FLERR, "Pair style gran/lean: contact_distance_factor must be 1; for another take pair_style gran");
   for (int i = 0; i < modify->nfix; i++)
     if (modify->fix[i]->n_history_extra())
-      error->all(FLERR,(std::string("Pair style gran/lean: fix ") + modify->fix[i]->style +
-                        " adds to the contact history; take pair_style gran").c_str());
-  flags_read_ = modify->n_fixes_style("heat/gran") > 0 ||
-                modify->n_fixes_style("insert/stream/predefined") > 0 ||
-                modify->n_computes_style("contact/atom") > 0;
-  hand_back_history();   // before the lists of the last run are gone
+      error->all(FLERR,
+                 (std::string("Pair style gran/lean: fix ") + modify->fix[i]->style +
+                  " adds to the contact history; take pair_style gran")
+                     .c_str());
+  flags_read_ = modify->n_fixes_style("heat/gran") > 0 || modify->n_fixes_style("insert/stream/predefined") > 0 ||
+      modify->n_computes_style("contact/atom") > 0;
+  hand_back_history();  // before the lists of the last run are gone
   if (!fix_history) make_history();
   PairGranProxy::init_style();
 }
@@ -78,23 +80,23 @@ void PairGranLean::init_style()
 
 void PairGranLean::make_history()
 {
-  if (modify->find_fix_style_strict("contacthistory",0))
-    error->all(FLERR,"Can not use more than one pair style that uses contact history");
+  if (modify->find_fix_style_strict("contacthistory", 0))
+    error->all(FLERR, "Can not use more than one pair style that uses contact history");
   std::string words[] = {"contacthistory", "all", "contacthistory", std::to_string(dnum_pair())};
   std::vector<char *> arg;
   for (auto &w : words) arg.push_back(&w[0]);
-  arg.resize(arg.size() + 2*dnum_pair());
+  arg.resize(arg.size() + 2 * dnum_pair());
   history_args(&arg[4]);
 
   // fix contacthistory/lean, by the name that LIGGGHTS looks for
   char suffix[] = "lean";
   const int enabled = lmp->suffix_enable;
   lmp->suffix_enable = 1;
-  modify->add_fix(static_cast<int>(arg.size()),&arg[0],suffix);
+  modify->add_fix(static_cast<int>(arg.size()), &arg[0], suffix);
   lmp->suffix_enable = enabled;
   FixContactHistoryLean *made =
-    dynamic_cast<FixContactHistoryLean *>(modify->find_fix_style_strict("contacthistory",0));
-  if (!made) error->all(FLERR,"Pair style gran/lean: fix contacthistory/lean was not made");
+      dynamic_cast<FixContactHistoryLean *>(modify->find_fix_style_strict("contacthistory", 0));
+  if (!made) error->all(FLERR, "Pair style gran/lean: fix contacthistory/lean was not made");
   made->serve(this);
   fix_history = made;
 }
@@ -105,17 +107,17 @@ void PairGranLean::init_granular()
 {
   PairGranProxy::init_granular();
   const char *who = "pair gran/lean";
-  force->registry.connect("coeffFrict",friction_,who);
+  force->registry.connect("coeffFrict", friction_, who);
   if (model_.modulus()) {
-    force->registry.connect("Yeff",modulus_,who);
-    force->registry.connect("charVel",speed_,who);
-    force->registry.connect("coeffRestLog",restitution_log_,who);
+    force->registry.connect("Yeff", modulus_, who);
+    force->registry.connect("charVel", speed_, who);
+    force->registry.connect("coeffRestLog", restitution_log_, who);
     return;
   }
-  force->registry.connect("k_n",kn_,who);
-  force->registry.connect("k_t",kt_,who);
-  force->registry.connect(model_.absoluteDamping ? "gamman_abs" : "gamman",gamman_,who);
-  force->registry.connect(model_.absoluteDamping ? "gammat_abs" : "gammat",gammat_,who);
+  force->registry.connect("k_n", kn_, who);
+  force->registry.connect("k_t", kt_, who);
+  force->registry.connect(model_.absoluteDamping ? "gamman_abs" : "gamman", gamman_, who);
+  force->registry.connect(model_.absoluteDamping ? "gammat_abs" : "gammat", gammat_, who);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -136,6 +138,6 @@ void PairGranLean::hand_back_history()
 
 double PairGranLean::memory_usage()
 {
-  return PairGranProxy::memory_usage() + pairs_.size()*(4.0*sizeof(int *) + 12.0*sizeof(double))
-         + 5.0*seen_mass_.size()*sizeof(double);
+  return PairGranProxy::memory_usage() + pairs_.size() * (4.0 * sizeof(int *) + 12.0 * sizeof(double)) +
+      5.0 * seen_mass_.size() * sizeof(double);
 }

@@ -49,18 +49,18 @@ class PairGranLean : public PairGranProxy {
   clay::ContactLaw law(int i, int j) const;
 
   clay::LeanModel model_;
-  bool flags_read_;                 // somebody reads from the lists which pairs touch
+  bool flags_read_;  // somebody reads from the lists which pairs touch
   double **kn_, **kt_, **gamman_, **gammat_, **friction_;
   double **modulus_, **restitution_log_, speed_;  // of model hooke
 
   clay::ContactPairs pairs_;
-  std::vector<double *> kept_;      // where gran keeps each pair's displacement
-  std::vector<int *> flag_;         // and that it has touched
+  std::vector<double *> kept_;                            // where gran keeps each pair's displacement
+  std::vector<int *> flag_;                               // and that it has touched
   std::vector<double> seen_x_, seen_radius_, seen_mass_;  // of all atoms at the last search
-  double margin_;                   // gap up to which pairs were taken [m]
-  bool sought_;                     // the pairs are those of the present list
-  bigint built_;                    // time step of the list they are of
-  int inum_;                        // and its size
+  double margin_;                                         // gap up to which pairs were taken [m]
+  bool sought_;                                           // the pairs are those of the present list
+  bigint built_;                                          // time step of the list they are of
+  int inum_;                                              // and its size
   bigint searches_;
 };
 

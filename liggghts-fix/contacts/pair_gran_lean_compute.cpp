@@ -22,8 +22,8 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-const double STEPS = 25.0;      // aimed at between two searches
-const double LEAST = 1.0e-3;    // smallest and largest margin over the radius
+const double STEPS = 25.0;    // aimed at between two searches
+const double LEAST = 1.0e-3;  // smallest and largest margin over the radius
 const double MOST = 0.2;
 
 }
@@ -35,8 +35,8 @@ const double MOST = 0.2;
 bool PairGranLean::lean_step(int eflag, int vflag, int addflag) const
 {
   return !eflag && !vflag && !addflag && listgranhistory && atom->rmass && computeflag() && !fr_pair() &&
-         !storeContactForces() && !store_contact_forces_stress_ && !store_multicontact_data_ &&
-         !store_sum_normal_force() && !flags_read_;
+      !storeContactForces() && !store_contact_forces_stress_ && !store_multicontact_data_ &&
+      !store_sum_normal_force() && !flags_read_;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -45,7 +45,7 @@ clay::ContactLaw PairGranLean::law(int i, int j) const
 {
   const int a = atom->type[i], b = atom->type[j];
   const double mi = atom->rmass[i], mj = atom->rmass[j];
-  double moving = mi*mj/(mi + mj);
+  double moving = mi * mj / (mi + mj);
   if (atom->mask[i] & freeze_group_bit()) moving = mj;
   if (atom->mask[j] & freeze_group_bit()) moving = mi;
 
@@ -53,18 +53,18 @@ clay::ContactLaw PairGranLean::law(int i, int j) const
   law.friction = friction_[a][b];
   if (model_.modulus()) {
     const double ri = atom->radius[i], rj = atom->radius[j];
-    law = clay::hookeLaw(ri*rj/(ri + rj),moving,modulus_[a][b],speed_,restitution_log_[a][b]);
+    law = clay::hookeLaw(ri * rj / (ri + rj), moving, modulus_[a][b], speed_, restitution_log_[a][b]);
     law.friction = friction_[a][b];
     law.kn /= force->nktv2p;
-    law.kt = model_.softer ? 0.285714286*law.kn : law.kn;
+    law.kt = model_.softer ? 0.285714286 * law.kn : law.kn;
     if (!model_.tangentialDamping) law.gammat = 0.0;
     return law;
   }
   if (model_.absoluteDamping) moving = 1.0;
-  law.kn = kn_[a][b]/force->nktv2p;
-  law.kt = kt_[a][b]/force->nktv2p;
-  law.gamman = moving*gamman_[a][b];
-  law.gammat = model_.tangentialDamping ? moving*gammat_[a][b] : 0.0;
+  law.kn = kn_[a][b] / force->nktv2p;
+  law.kt = kt_[a][b] / force->nktv2p;
+  law.gamman = moving * gamman_[a][b];
+  law.gammat = model_.tangentialDamping ? moving * gammat_[a][b] : 0.0;
   return law;
 }
 
@@ -76,11 +76,12 @@ bool PairGranLean::pairs_hold()
 {
   const int nall = atom->nlocal + atom->nghost;
   if (!sought_ || built_ != neighbor->lastcall || inum_ != list->inum ||
-      seen_mass_.size() != static_cast<std::size_t>(nall)) return false;
+      seen_mass_.size() != static_cast<std::size_t>(nall))
+    return false;
   return nall == 0 ||
-         (!std::memcmp(seen_radius_.data(),atom->radius,nall*sizeof(double)) &&
-          !std::memcmp(seen_mass_.data(),atom->rmass,nall*sizeof(double)) &&
-          clay::stayed(atom->x[0],seen_x_.data(),nall,0.5*margin_));
+      (!std::memcmp(seen_radius_.data(), atom->radius, nall * sizeof(double)) &&
+       !std::memcmp(seen_mass_.data(), atom->rmass, nall * sizeof(double)) &&
+       clay::stayed(atom->x[0], seen_x_.data(), nall, 0.5 * margin_));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -93,16 +94,16 @@ void PairGranLean::seek_pairs()
   const int nall = atom->nlocal + atom->nghost;
 
   double fastest2 = 0.0, largest = 0.0;
-  if (nall) seen_x_.assign(x[0],x[0] + static_cast<std::size_t>(3)*nall);
-  seen_radius_.assign(radius,radius + nall);
-  seen_mass_.assign(atom->rmass,atom->rmass + nall);
+  if (nall) seen_x_.assign(x[0], x[0] + static_cast<std::size_t>(3) * nall);
+  seen_radius_.assign(radius, radius + nall);
+  seen_mass_.assign(atom->rmass, atom->rmass + nall);
   for (int i = 0; i < nall; i++) {
-    fastest2 = std::max(fastest2,v[i][0]*v[i][0] + v[i][1]*v[i][1] + v[i][2]*v[i][2]);
-    largest = std::max(largest,radius[i]);
+    fastest2 = std::max(fastest2, v[i][0] * v[i][0] + v[i][1] * v[i][1] + v[i][2] * v[i][2]);
+    largest = std::max(largest, radius[i]);
   }
   // beyond the skin the list itself is not complete
-  margin_ = std::min(neighbor->skin,std::min(MOST*largest,
-                     std::max(LEAST*largest,2.0*STEPS*update->dt*sqrt(fastest2))));
+  margin_ = std::min(neighbor->skin,
+                     std::min(MOST * largest, std::max(LEAST * largest, 2.0 * STEPS * update->dt * sqrt(fastest2))));
 
   pairs_.clear();
   kept_.clear();
@@ -114,11 +115,11 @@ void PairGranLean::seek_pairs()
     double *history = listgranhistory->firstdouble[i];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = neighbours[jj] & NEIGHMASK;
-      const double dx = x[i][0]-x[j][0], dy = x[i][1]-x[j][1], dz = x[i][2]-x[j][2];
+      const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
       const double reach = radius[i] + radius[j] + margin_;
-      if (dx*dx + dy*dy + dz*dz >= reach*reach) continue;
-      double *shear = &history[dnum()*jj];
-      pairs_.add(i,j,radius[i],radius[j],law(i,j),shear,false);
+      if (dx * dx + dy * dy + dz * dz >= reach * reach) continue;
+      double *shear = &history[dnum() * jj];
+      pairs_.add(i, j, radius[i], radius[j], law(i, j), shear, false);
       kept_.push_back(shear);
       flag_.push_back(&flags[jj]);
     }
@@ -133,16 +134,16 @@ void PairGranLean::seek_pairs()
 
 void PairGranLean::compute_force(int eflag, int vflag, int addflag)
 {
-  if (!lean_step(eflag,vflag,addflag)) {
+  if (!lean_step(eflag, vflag, addflag)) {
     hand_back_history();
-    PairGranProxy::compute_force(eflag,vflag,addflag);
+    PairGranProxy::compute_force(eflag, vflag, addflag);
     return;
   }
   ev_unset();
   if (!pairs_hold()) seek_pairs();
   if (pairs_.size() == 0) return;
 
-  const clay::ContactSpheres spheres = { atom->x[0], atom->v[0], atom->omega[0],
-                                         atom->f[0], atom->torque[0], atom->nlocal };
-  clay::contactForces(spheres,pairs_,update->dt,shearupdate(),model_.limitForce);
+  const clay::ContactSpheres spheres = {atom->x[0], atom->v[0],      atom->omega[0],
+                                        atom->f[0], atom->torque[0], atom->nlocal};
+  clay::contactForces(spheres, pairs_, update->dt, shearupdate(), model_.limitForce);
 }

@@ -11,7 +11,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-struct Ball { Vector3d x, v, w; double r; };
+struct Ball {
+  Vector3d x, v, w;
+  double r;
+};
 
 struct Scene {
   std::vector<Ball> balls;
@@ -31,7 +34,8 @@ Scene scene(int n, unsigned seed)
   std::uniform_real_distribution<double> box(0, 5e-3), unit(-1, 1), size(0.7e-3, 1e-3);
   Scene s;
   for (int i = 0; i < n; ++i)
-    s.balls.push_back({Vector3d(box(random), box(random), box(random)), 0.1 * Vector3d(unit(random), unit(random), unit(random)),
+    s.balls.push_back({Vector3d(box(random), box(random), box(random)),
+                       0.1 * Vector3d(unit(random), unit(random), unit(random)),
                        50 * Vector3d(unit(random), unit(random), unit(random)), size(random)});
   for (const Ball &b : s.balls) {
     s.x.insert(s.x.end(), b.x.data(), b.x.data() + 3);
@@ -55,10 +59,13 @@ Scene scene(int n, unsigned seed)
 }
 
 // a contact as the textbooks have it: force on i, torques, new displacement
-struct Contact { bool touch, slides; Vector3d f, ti, tj, shear; };
+struct Contact {
+  bool touch, slides;
+  Vector3d f, ti, tj, shear;
+};
 
-Contact contact(const Ball &a, const Ball &b, const ContactPairs &p, int k, const Vector3d &before, double dt, bool update,
-                bool limit)
+Contact contact(const Ball &a, const Ball &b, const ContactPairs &p, int k, const Vector3d &before, double dt,
+                bool update, bool limit)
 {
   Contact c = {};
   c.shear = before;
@@ -182,7 +189,8 @@ TEST(ContactKernel, everyWallByTheTextbook)
         EXPECT_GT(touching, sliding + 3);
         EXPECT_LT(touching, 80);
         EXPECT_EQ(wallForces({s.x.data(), s.v.data(), s.omega.data(), s.f.data(), s.torque.data(), 90}, s.pairs, wall,
-                             history.data(), dt, update, limit), touching);
+                             history.data(), dt, update, limit),
+                  touching);
         for (int i = 0; i < 90; ++i)
           for (int d = 0; d < 3; ++d) {
             EXPECT_NEAR(s.f[3 * i + d], expected[i].f[d], 1e-12 * size);

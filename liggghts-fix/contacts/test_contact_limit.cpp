@@ -31,8 +31,8 @@ double growth(double k, double c, double m, double dt)
 
 // largest part of the force after so many steps of a body held by linear
 // contacts, against the largest at the start
-double bodyForceGrowth(double mass, const Matrix3d& inertia, const std::vector<BodyContact>& contacts,
-                       double dt, int steps)
+double bodyForceGrowth(double mass, const Matrix3d& inertia, const std::vector<BodyContact>& contacts, double dt,
+                       int steps)
 {
   Matrix6d K = Matrix6d::Zero(), C = Matrix6d::Zero(), Minv = Matrix6d::Zero();
   Minv.topLeftCorner<3, 3>() = Matrix3d::Identity() / mass;
@@ -72,7 +72,10 @@ struct Plate {
   Plate()
   {
     const Clump c = illitePlate({1e-3, 2e-3, 1e-3, 2});
-    for (const auto& s : c) { centres.push_back(s.x); radii.push_back(s.r); }
+    for (const auto& s : c) {
+      centres.push_back(s.x);
+      radii.push_back(s.r);
+    }
     const auto g = sumOfSpheres(c);
     mass = 2600 * g.volume;
     inertia = 2600 * g.inertia;
@@ -103,8 +106,7 @@ TEST(ContactLimit, oneContactThroughTheCentre)
   EXPECT_NEAR(stableStep(m, 1e-10 * Matrix3d::Identity(), {b}), oscillatorStep(5000 / m, 1.0 / m), 1e-16);
   BodyContact other = b;
   other.fixed = false;
-  EXPECT_NEAR(stableStep(m, 1e-10 * Matrix3d::Identity(), {other}),
-              oscillatorStep(2 * 5000 / m, 2 * 1.0 / m), 1e-16);
+  EXPECT_NEAR(stableStep(m, 1e-10 * Matrix3d::Identity(), {other}), oscillatorStep(2 * 5000 / m, 2 * 1.0 / m), 1e-16);
 }
 
 TEST(ContactLimit, plateInACorner)
@@ -141,8 +143,8 @@ TEST(ContactLimit, knownBlowUp)
   const double dt = 1e-5;
   const auto each = coefficients(5000, 2e4 * p.mass);
   const auto corner = restingContacts(p.centres, p.radii, each, {});
-  const std::vector<BodyContact> one(corner.begin(), corner.begin() + 1),
-      three(corner.begin(), corner.begin() + 3), five(corner.begin(), corner.begin() + 5);
+  const std::vector<BodyContact> one(corner.begin(), corner.begin() + 1), three(corner.begin(), corner.begin() + 3),
+      five(corner.begin(), corner.begin() + 5);
 
   EXPECT_GT(stableStep(p.mass, p.inertia, one), 4 * dt);
   EXPECT_LT(bodyForceGrowth(p.mass, p.inertia, one, dt, 1000), 1);

@@ -42,8 +42,9 @@ TEST(LeanModel, modulusWithHooke)
 
 TEST(LeanModel, refusesWhatItCannotDo)
 {
-  const char* bad[][2] = {{"model", "hertz"}, {"tangential", "no_history"}, {"rolling_friction", "epsd"}, {"cohesion", "sjkr"},
-                          {"surface", "superquadric"}, {"limitForce", "maybe"}, {"tangential_damping", ""}};
+  const char* bad[][2] = {{"model", "hertz"},        {"tangential", "no_history"}, {"rolling_friction", "epsd"},
+                          {"cohesion", "sjkr"},      {"surface", "superquadric"},  {"limitForce", "maybe"},
+                          {"tangential_damping", ""}};
   for (const auto& b : bad) {
     LeanModel m;
     EXPECT_THROW(m.take(b[0], b[1]), std::invalid_argument) << b[0];

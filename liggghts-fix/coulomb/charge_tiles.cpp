@@ -39,10 +39,16 @@ CLAY_INLINE double sum(const typename Pack<Real, BYTES>::Numbers& v)
 }
 
 template <class Numbers, class Real>
-CLAY_INLINE Numbers& pack(Real* at) { return *reinterpret_cast<Numbers*>(at); }
+CLAY_INLINE Numbers& pack(Real* at)
+{
+  return *reinterpret_cast<Numbers*>(at);
+}
 
 template <class Numbers, class Real>
-CLAY_INLINE const Numbers& pack(const Real* at) { return *reinterpret_cast<const Numbers*>(at); }
+CLAY_INLINE const Numbers& pack(const Real* at)
+{
+  return *reinterpret_cast<const Numbers*>(at);
+}
 
 // spheres that coincide push with a finite force; to all others it is nothing
 constexpr float leastOf(float) { return 1e-14f; }
@@ -216,12 +222,11 @@ CLAY_INLINE void allOf(const PairsInReach& pairs, const TileLaw& law, const std:
   addUp(law, groups, c, wrenches, f);
 }
 
-#define CLAY_TILES(GENERATION, BYTES, REAL)                                                               \
-  GENERATION static void tiles(const PairsInReach& pairs, const TileLaw& law,                             \
-                               const std::vector<ChargeGroup>& groups, Places x, ChargeTiles<REAL>& c,    \
-                               std::vector<Wrench>& wrenches, Forces f)                                   \
-  {                                                                                                       \
-    allOf<BYTES>(pairs, law, groups, x, c, wrenches, f);                                                  \
+#define CLAY_TILES(GENERATION, BYTES, REAL)                                                                            \
+  GENERATION static void tiles(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups,  \
+                               Places x, ChargeTiles<REAL>& c, std::vector<Wrench>& wrenches, Forces f)                \
+  {                                                                                                                    \
+    allOf<BYTES>(pairs, law, groups, x, c, wrenches, f);                                                               \
   }
 #ifdef CLAY_GENERATIONS
 CLAY_TILES(CLAY_FOR_WIDEST, 64, float)

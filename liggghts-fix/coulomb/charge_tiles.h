@@ -36,8 +36,12 @@ struct TileLaw {
 };
 
 /// Lists of x, y, z of all spheres.
-struct Places { const double *x, *y, *z; };
-struct Forces { double *x, *y, *z; };
+struct Places {
+  const double *x, *y, *z;
+};
+struct Forces {
+  double *x, *y, *z;
+};
 
 /// The charges as the loops want them.
 template <class Real>
@@ -46,7 +50,7 @@ struct ChargeTiles {
 
   /// Spheres of a group; lanes that are left over have no charge.
   struct alignas(64) Tile {
-    Real x[LANES], y[LANES], z[LANES];     ///< from the ball's centre, in cut-offs
+    Real x[LANES], y[LANES], z[LANES];  ///< from the ball's centre, in cut-offs
     Real q[LANES];
     Real fx[LANES], fy[LANES], fz[LANES];  ///< force of the groups that come first in a pair
     int used;

@@ -99,10 +99,12 @@ std::vector<std::pair<int, int>> pairsInReach(const ChargeGroups& c, double rang
   }
   std::vector<std::pair<int, int>> pairs;
   near_pairs(at.data(), reach.data(), n, n, pairs);
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), [&c](const std::pair<int, int>& p) {
-    const ChargeGroup &A = c.groups[p.first], &B = c.groups[p.second];
-    return (!A.acted && !B.acted) || (!A.loose() && A.body == B.body);
-  }), pairs.end());
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                             [&c](const std::pair<int, int>& p) {
+                               const ChargeGroup &A = c.groups[p.first], &B = c.groups[p.second];
+                               return (!A.acted && !B.acted) || (!A.loose() && A.body == B.body);
+                             }),
+              pairs.end());
   for (int g = 0; g < n; ++g)
     if (c.groups[g].loose() && c.groups[g].acted) pairs.emplace_back(g, g);
   return pairs;

@@ -27,10 +27,10 @@ struct CoulombLaw {
 /// Charged spheres in order of their groups, and the forces on them.
 class ChargeGroups {
  public:
-  std::vector<double> x, y, z, q;    ///< centres [m], charges [C]
+  std::vector<double> x, y, z, q;  ///< centres [m], charges [C]
   std::vector<ChargeGroup> groups;
-  std::vector<Wrench> wrenches;      ///< on the groups of bodies
-  std::vector<double> fx, fy, fz;    ///< on loose spheres [N]
+  std::vector<Wrench> wrenches;    ///< on the groups of bodies
+  std::vector<double> fx, fy, fz;  ///< on loose spheres [N]
 
   void clear();
   void add(double px, double py, double pz, double charge);
@@ -59,7 +59,6 @@ class ChargeGroups {
 /// Pairs of groups whose balls are closer than `range` [m] and of which one is acted on;
 /// a group of loose spheres is also a pair with itself.
 std::vector<std::pair<int, int>> pairsInReach(const ChargeGroups& c, double range);
-
 
 /// Calls visit(i, j, r) for every pair of spheres that acts, r apart.
 template <class Visit>

@@ -72,18 +72,18 @@ class PairCoulClump : public Pair {
   int every_;
   bool hold_;
 
-  std::vector<double> charge_;   // by type
-  std::vector<char> given_;      // charge was given
-  bool charged_;                 // any charge that is not zero
-  bool centred_;                 // held forces are those of the middle of their steps
+  std::vector<double> charge_;  // by type
+  std::vector<char> given_;     // charge was given
+  bool charged_;                // any charge that is not zero
+  bool centred_;                // held forces are those of the middle of their steps
 
   class FixMultisphere *multisphere_;
   clay::ChargeGroups groups_;
-  std::vector<int> order_;             // atoms in the order of the groups
-  std::vector<Held> held_;             // forces of the last evaluation
-  bigint laid_out_;                    // time step of the last lay_out()
-  int nall_;                           // atoms seen then
-  bigint evaluated_;                   // time step the held forces are of
+  std::vector<int> order_;  // atoms in the order of the groups
+  std::vector<Held> held_;  // forces of the last evaluation
+  bigint laid_out_;         // time step of the last lay_out()
+  int nall_;                // atoms seen then
+  bigint evaluated_;        // time step the held forces are of
   bigint evaluations_;
 };
 

@@ -59,9 +59,10 @@ bool PairCoulClump::same_bodies() const
   if (charged != order_.size()) return false;
   for (std::size_t g = 0; g < groups_.groups.size(); g++) {
     const clay::ChargeGroup &group = groups_.groups[g];
-    if (group.loose() || !group.acted) return false;   // spheres that were ghosts are this processor's now
+    if (group.loose() || !group.acted) return false;  // spheres that were ghosts are this processor's now
     for (int k = group.begin; k < group.end; k++)
-      if (multisphere_->belongs_to(order_[k]) != group.body || charge_[atom->type[order_[k]]] != groups_.q[k]) return false;
+      if (multisphere_->belongs_to(order_[k]) != group.body || charge_[atom->type[order_[k]]] != groups_.q[k])
+        return false;
   }
   return true;
 }
@@ -71,7 +72,7 @@ bool PairCoulClump::same_bodies() const
 void PairCoulClump::lay_out()
 {
   laid_out_ = neighbor->lastcall;
-  evaluated_ = -1;   // on one processor, too, so that their number does not show
+  evaluated_ = -1;  // on one processor, too, so that their number does not show
   if (same_bodies()) return;
   const int n = nall_ = atom->nlocal + atom->nghost;
 
@@ -81,9 +82,9 @@ void PairCoulClump::lay_out()
   for (int i = 0; i < n; i++) {
     if (charge_[atom->type[i]] == 0.0) continue;
     const int body = multisphere_ ? std::max(-1, multisphere_->belongs_to(i)) : -1;
-    Place p = { body, {0, 0, 0}, i >= atom->nlocal, i };
+    Place p = {body, {0, 0, 0}, i >= atom->nlocal, i};
     if (body < 0)
-      for (int d = 0; d < 3; d++) p.cell[d] = static_cast<int>(floor(3.0*x[i][d]/law_.cutoff));
+      for (int d = 0; d < 3; d++) p.cell[d] = static_cast<int>(floor(3.0 * x[i][d] / law_.cutoff));
     places.push_back(p);
   }
   std::sort(places.begin(), places.end());
@@ -97,7 +98,7 @@ void PairCoulClump::lay_out()
     for (int d = 0; d < 3; d++)
       if (domain->periodicity[d]) {
         const double away = x[places[k].atom][d] - x[places[first].atom][d];
-        places[k].cell[d] = static_cast<int>(lround(away/domain->prd[d]));
+        places[k].cell[d] = static_cast<int>(lround(away / domain->prd[d]));
         periodic = true;
       }
   }
@@ -109,7 +110,7 @@ void PairCoulClump::lay_out()
     const int i = places[k].atom;
     order_.push_back(i);
     groups_.add(x[i][0], x[i][1], x[i][2], charge_[atom->type[i]]);
-    if (k+1 == places.size() || !places[k].same_group(places[k+1])) groups_.close(places[k].body, !places[k].ghost);
+    if (k + 1 == places.size() || !places[k].same_group(places[k + 1])) groups_.close(places[k].body, !places[k].ghost);
   }
 }
 
@@ -122,9 +123,9 @@ void PairCoulClump::gather(double ahead)
   double **x = atom->x, **v = atom->v;
   for (std::size_t k = 0; k < order_.size(); k++) {
     const double *xi = x[order_[k]], *vi = v[order_[k]];
-    groups_.x[k] = xi[0] + ahead*vi[0];
-    groups_.y[k] = xi[1] + ahead*vi[1];
-    groups_.z[k] = xi[2] + ahead*vi[2];
+    groups_.x[k] = xi[0] + ahead * vi[0];
+    groups_.y[k] = xi[1] + ahead * vi[1];
+    groups_.z[k] = xi[2] + ahead * vi[2];
   }
   groups_.moved();
 }
@@ -142,19 +143,20 @@ void PairCoulClump::take_forces(double factor)
     if (!group.acted) continue;
     if (group.loose()) {
       for (int k = group.begin; k < group.end; k++) {
-        const Held one = { order_[k], {factor*groups_.fx[k], factor*groups_.fy[k], factor*groups_.fz[k]}, {0., 0., 0.} };
+        const Held one = {
+            order_[k], {factor * groups_.fx[k], factor * groups_.fy[k], factor * groups_.fz[k]}, {0., 0., 0.}};
         held_.push_back(one);
       }
       continue;
     }
     const clay::Wrench &w = groups_.wrenches[g];
     const int k = group.begin;
-    const double r[3] = { group.x - groups_.x[k], group.y - groups_.y[k], group.z - groups_.z[k] };
-    Held one = { order_[k], {0., 0., 0.}, {0., 0., 0.} };
+    const double r[3] = {group.x - groups_.x[k], group.y - groups_.y[k], group.z - groups_.z[k]};
+    Held one = {order_[k], {0., 0., 0.}, {0., 0., 0.}};
     for (int d = 0; d < 3; d++) {
-      const int e = (d+1)%3, f = (d+2)%3;
-      one.f[d] = factor*w.f[d];
-      one.torque[d] = factor*(w.t[d] + r[e]*w.f[f] - r[f]*w.f[e]);
+      const int e = (d + 1) % 3, f = (d + 2) % 3;
+      one.f[d] = factor * w.f[d];
+      one.torque[d] = factor * (w.t[d] + r[e] * w.f[f] - r[f] * w.f[e]);
     }
     held_.push_back(one);
   }
@@ -181,9 +183,9 @@ void PairCoulClump::tally()
 {
   const std::vector<int> &order = order_;
   clay::eachPair(groups_, law_, [&](int a, int b, double r) {
-    const double qq = groups_.q[a]*groups_.q[b];
+    const double qq = groups_.q[a] * groups_.q[b];
     ev_tally(order[a], order[b], atom->nlocal, 0, 0.0, law_.energy(qq, r), law_.forceOverDistance(qq, r),
-             groups_.x[a]-groups_.x[b], groups_.y[a]-groups_.y[b], groups_.z[a]-groups_.z[b]);
+             groups_.x[a] - groups_.x[b], groups_.y[a] - groups_.y[b], groups_.z[a] - groups_.z[b]);
   });
 }
 
@@ -200,10 +202,9 @@ void PairCoulClump::compute(int eflag, int vflag)
   // impulse: N times the force on every N-th step, nothing between
   // hold: the same force on every step, until it is N steps old; that of the middle of these
   const bigint step = update->ntimestep;
-  const bool due = hold_ ? (evaluated_ < 0 || step - evaluated_ >= every_ || step < evaluated_)
-                         : step % every_ == 0;
+  const bool due = hold_ ? (evaluated_ < 0 || step - evaluated_ >= every_ || step < evaluated_) : step % every_ == 0;
   if (due) {
-    gather(centred_ ? 0.5*(every_-1)*update->dt : 0.0);
+    gather(centred_ ? 0.5 * (every_ - 1) * update->dt : 0.0);
     groups_.act(law_);
     take_forces(hold_ ? 1.0 : every_);
     evaluated_ = step;
@@ -219,13 +220,12 @@ void PairCoulClump::compute(int eflag, int vflag)
 
 /* ---------------------------------------------------------------------- */
 
-double PairCoulClump::single(int i, int j, int itype, int jtype, double rsq,
-                             double, double factor_lj, double &fforce)
+double PairCoulClump::single(int i, int j, int itype, int jtype, double rsq, double, double factor_lj, double &fforce)
 {
   fforce = 0.0;
-  if (multisphere_ && multisphere_->belongs_to(i) >= 0 &&
-      multisphere_->belongs_to(i) == multisphere_->belongs_to(j)) return 0.0;
-  const double r = sqrt(rsq), qq = charge_[itype]*charge_[jtype];
+  if (multisphere_ && multisphere_->belongs_to(i) >= 0 && multisphere_->belongs_to(i) == multisphere_->belongs_to(j))
+    return 0.0;
+  const double r = sqrt(rsq), qq = charge_[itype] * charge_[jtype];
   fforce = law_.forceOverDistance(qq, r);
   return law_.energy(qq, r);
 }

@@ -14,7 +14,11 @@ using namespace clay;
 
 namespace {
 
-struct Ball { double x[3], q; long body; bool owned; };
+struct Ball {
+  double x[3], q;
+  long body;
+  bool owned;
+};
 
 // bodies of 5 spheres within a small ball, and loose spheres, in a box
 std::vector<Ball> suspension(int bodies, int loose, unsigned seed)
@@ -25,8 +29,8 @@ std::vector<Ball> suspension(int bodies, int loose, unsigned seed)
   for (int b = 0; b < bodies; ++b) {
     const double c[3] = {box(random), box(random), box(random)};
     for (int s = 0; s < 5; ++s)
-      balls.push_back({{c[0] + near(random), c[1] + near(random), c[2] + near(random)},
-                       sign(random) * 1e-9, b, b % 3 != 0});
+      balls.push_back(
+          {{c[0] + near(random), c[1] + near(random), c[2] + near(random)}, sign(random) * 1e-9, b, b % 3 != 0});
   }
   for (int l = 0; l < loose; ++l)
     balls.push_back({{box(random), box(random), box(random)}, sign(random) * 1e-9, -1, true});
@@ -39,8 +43,7 @@ ChargeGroups grouped(const std::vector<Ball>& balls)
   for (std::size_t i = 0; i < balls.size(); ++i) {
     g.add(balls[i].x[0], balls[i].x[1], balls[i].x[2], balls[i].q);
     // loose spheres in sevens
-    const bool last = i + 1 == balls.size() || balls[i + 1].body != balls[i].body
-                      || (balls[i].body < 0 && i % 7 == 0);
+    const bool last = i + 1 == balls.size() || balls[i + 1].body != balls[i].body || (balls[i].body < 0 && i % 7 == 0);
     if (last) g.close(balls[i].body, balls[i].owned);
   }
   return g;
@@ -55,18 +58,23 @@ std::vector<std::array<double, 3>> oneByOne(const std::vector<Ball>& balls, cons
     for (std::size_t j = 0; j < balls.size(); ++j) {
       if (i == j || !balls[i].owned || (balls[i].body >= 0 && balls[i].body == balls[j].body)) continue;
       double d[3], r2 = 0;
-      for (int c = 0; c < 3; ++c) { d[c] = balls[i].x[c] - balls[j].x[c]; r2 += d[c] * d[c]; }
+      for (int c = 0; c < 3; ++c) {
+        d[c] = balls[i].x[c] - balls[j].x[c];
+        r2 += d[c] * d[c];
+      }
       const double r = std::sqrt(r2);
       if (r >= law.cutoff) continue;
       ++*acting;
-      const double size = 8.9875517873681764e9 * balls[i].q * balls[j].q
-                          * (1 / r2 - (law.shifted ? 1 / (law.cutoff * law.cutoff) : 0));
+      const double size =
+          8.9875517873681764e9 * balls[i].q * balls[j].q * (1 / r2 - (law.shifted ? 1 / (law.cutoff * law.cutoff) : 0));
       for (int c = 0; c < 3; ++c) f[i][c] += size * d[c] / r;
     }
   return f;
 }
 
-struct Errors { double force, torque; };
+struct Errors {
+  double force, torque;
+};
 
 // of bodies' forces and torques and loose spheres' forces, over the largest
 Errors against(const ChargeGroups& g, const std::vector<std::array<double, 3>>& f)
@@ -112,9 +120,7 @@ void expectBruteForce(const std::vector<Ball>& balls, const CoulombLaw& law)
     const Errors e = against(g, f);
     EXPECT_LT(e.force, single ? 1e-5 : 1e-12);
     EXPECT_LT(e.torque, single ? 1e-5 : 1e-12);
-    if (single) {
-      EXPECT_GT(e.force, 1e-9);
-    }
+    if (single) { EXPECT_GT(e.force, 1e-9); }
   }
 }
 
@@ -244,8 +250,8 @@ TEST(CoulKernel, visitsEachPairOnce)
     for (int j = 0; j < i; ++j) {
       if (!balls[i].owned && !balls[j].owned) continue;
       if (balls[i].body >= 0 && balls[i].body == balls[j].body) continue;
-      const double r = std::hypot(balls[i].x[0] - balls[j].x[0], balls[i].x[1] - balls[j].x[1],
-                           balls[i].x[2] - balls[j].x[2]);
+      const double r =
+          std::hypot(balls[i].x[0] - balls[j].x[0], balls[i].x[1] - balls[j].x[1], balls[i].x[2] - balls[j].x[2]);
       if (r < 2) wanted.emplace(j, i);
     }
   EXPECT_EQ(visited, wanted);

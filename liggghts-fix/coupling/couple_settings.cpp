@@ -19,8 +19,7 @@ bool whole(const std::string &text, long &value)
 
 bool yes(const std::string &key, const std::string &value)
 {
-  if (value != "yes" && value != "no")
-    throw std::invalid_argument(key + " is '" + value + "'; it must be yes or no");
+  if (value != "yes" && value != "no") throw std::invalid_argument(key + " is '" + value + "'; it must be yes or no");
   return value == "yes";
 }
 
@@ -85,7 +84,8 @@ CoupleSettings CoupleSettings::parse(const std::vector<std::string> &words)
     else if (key == "clumpDrag") s.clumpDrag = named("clumpDrag is ", [&] { return clumpDragKind(value); });
     else if (key == "shapeLaw") law = value;
     else
-      throw std::invalid_argument("unknown keyword '" + key + "'; known are every, lag, stats, progress, "
+      throw std::invalid_argument("unknown keyword '" + key +
+                                  "'; known are every, lag, stats, progress, "
                                   "contact_limit, watch, clumpDrag, shapeLaw");
   }
   if (s.interval < 1)
@@ -95,8 +95,7 @@ CoupleSettings CoupleSettings::parse(const std::vector<std::string> &words)
   if (s.clumpDrag == ClumpDragKind::resistance) {
     s.shapeLaw = law.empty() ? "tranCong" : law;
     named("shapeLaw: ", [&] { return clay::shapeLaw(s.shapeLaw); });
-  } else if (!law.empty())
-    throw std::invalid_argument("shapeLaw belongs to clumpDrag resistance, which is not set");
+  } else if (!law.empty()) throw std::invalid_argument("shapeLaw belongs to clumpDrag resistance, which is not set");
   return s;
 }
 

@@ -11,14 +11,14 @@
 namespace clay {
 
 struct CoupleSettings {
-  int interval = 0;           ///< DEM steps between two exchanges
-  int lag = 0;                ///< steps of an interval that go on with the answer before
-  std::string stats;          ///< file of the run's measures, empty for none
-  double progress = 1.0;      ///< wall time between two progress lines, 0 for none [s]
-  bool contactLimit = true;   ///< refuse a step above the contact limit
-  bool watch = true;          ///< end a run that goes astray
+  int interval = 0;          ///< DEM steps between two exchanges
+  int lag = 0;               ///< steps of an interval that go on with the answer before
+  std::string stats;         ///< file of the run's measures, empty for none
+  double progress = 1.0;     ///< wall time between two progress lines, 0 for none [s]
+  bool contactLimit = true;  ///< refuse a step above the contact limit
+  bool watch = true;         ///< end a run that goes astray
   ClumpDragKind clumpDrag = ClumpDragKind::sphereSum;
-  std::string shapeLaw;       ///< with clumpDrag resistance, else empty
+  std::string shapeLaw;  ///< with clumpDrag resistance, else empty
 
   /// Of the words behind the style's name; throws std::invalid_argument with one
   /// line that says what is wrong and what is possible.

@@ -24,8 +24,7 @@ struct Template : FixTemplateMultisphere {
     double **x = t->*&Template::displace_;
     const double *r = t->*&Template::r_sphere;
     clay::Clump clump(t->number_spheres());
-    for (std::size_t i = 0; i < clump.size(); i++)
-      clump[i] = {Vector3d(x[i][0], x[i][1], x[i][2]), r[i]};
+    for (std::size_t i = 0; i < clump.size(); i++) clump[i] = {Vector3d(x[i][0], x[i][1], x[i][2]), r[i]};
     return clump;
   }
 };
@@ -70,8 +69,8 @@ void CoupledClumps::add(FixTemplateMultisphere *t)
   }
   MPI_Bcast(&bad, 1, MPI_INT, 0, world);
   if (bad)  // the first processor tells why
-    error->all(FLERR, (std::string("Fix couple/foam: clumpDrag resistance of template ") + t->id +
-                       ": " + said).c_str());
+    error->all(FLERR,
+               (std::string("Fix couple/foam: clumpDrag resistance of template ") + t->id + ": " + said).c_str());
   MPI_Bcast(R.data(), 36, MPI_DOUBLE, 0, world);
   drags_[t->type()].reset(new clay::ClumpDrag(clump, R, law_));
   if (comm->me) return;
@@ -87,8 +86,8 @@ void CoupledClumps::add(FixTemplateMultisphere *t)
               "Clump template %s: %s\n"
               "  drag along its principal axes %.5g %.5g %.5g of the sum of its spheres',\n"
               "  %.5g %.5g %.5g of the drag of the sphere of like volume, %.6g m wide\n",
-              t->id, said.c_str(), R(0, 0) / sum, R(1, 1) / sum, R(2, 2) / sum, R(0, 0) / sphere,
-              R(1, 1) / sphere, R(2, 2) / sphere, drag.diameter());
+              t->id, said.c_str(), R(0, 0) / sum, R(1, 1) / sum, R(2, 2) / sum, R(0, 0) / sphere, R(1, 1) / sphere,
+              R(2, 2) / sphere, drag.diameter());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -98,8 +97,10 @@ const clay::ClumpDrag &CoupledClumps::drag(int ibody) const
   const int type = bodies_->clump_type(ibody);
   if (type < 0 || type >= static_cast<int>(drags_.size()) || !drags_[type]) {
     char text[160];
-    snprintf(text, sizeof text, "Fix couple/foam: clumpDrag resistance: there is no template of type %d, "
-             "which clump %d has", type, bodies_->data().tag(ibody));
+    snprintf(text, sizeof text,
+             "Fix couple/foam: clumpDrag resistance: there is no template of type %d, "
+             "which clump %d has",
+             type, bodies_->data().tag(ibody));
     error->one(FLERR, text);
   }
   return *drags_[type];

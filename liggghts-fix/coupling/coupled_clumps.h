@@ -26,11 +26,15 @@ class CoupledClumps : protected Pointers {
   void init(FixMultisphereClump *bodies);
 
   /// Viscosity [Pa s] and density [kg/m3] of the fluid.
-  void fluid(double viscosity, double density) { mu_ = viscosity; rho_ = density; }
+  void fluid(double viscosity, double density)
+  {
+    mu_ = viscosity;
+    rho_ = density;
+  }
 
   /// Works out what to tell of this rank's bodies.
   void prepare();
-  double diameter(int ibody) const;                      ///< [m], for the drag law
+  double diameter(int ibody) const;                               ///< [m], for the drag law
   double factor(int ibody) const { return told_[ibody].factor; }  ///< by it and the body's volume
 
   /// Takes in what a body's spheres were answered.

@@ -12,7 +12,9 @@
 #include "coupling/run_measures.h"
 #include "pointers.h"
 
-namespace clay { class DemSession; }
+namespace clay {
+class DemSession;
+}
 
 namespace LAMMPS_NS {
 
@@ -61,11 +63,11 @@ class CouplingReport : protected Pointers {
   double cpu_;
   double began_, last_line_, wall_, output_;
   long steps_;
-  long at_start_, before_;           // particles at the start of the first run, and of this one
-  long inserted_, left_;             // on this rank
-  long deleted_, lost_;              // of all
+  long at_start_, before_;              // particles at the start of the first run, and of this one
+  long inserted_, left_;                // on this rank
+  long deleted_, lost_;                 // of all
   long inserted_before_, left_before_;  // of all, at the end of the last run
-  std::vector<std::pair<std::string,std::string>> settings_;
+  std::vector<std::pair<std::string, std::string>> settings_;
   double start_time_, overlap_;
   clay::Overlap now_;  // the largest at the last exchange
   std::vector<std::string> warnings_;

@@ -35,9 +35,9 @@ namespace {
 clay::CoupleSettings settings(int narg, char **arg, Error *error)
 {
   try {
-    return clay::CoupleSettings::parse(std::vector<std::string>(arg + 3,arg + narg));
+    return clay::CoupleSettings::parse(std::vector<std::string>(arg + 3, arg + narg));
   } catch (const std::invalid_argument &e) {
-    error->all(FLERR,(std::string("Fix couple/foam: ") + e.what()).c_str());
+    error->all(FLERR, (std::string("Fix couple/foam: ") + e.what()).c_str());
   }
   return {};
 }
@@ -46,8 +46,8 @@ clay::CoupleSettings settings(int narg, char **arg, Error *error)
 class Thermal : public clay::RandomForce {
  public:
   explicit Thermal(const FixBrownian *fix) : fix_(fix) {}
-  void force(int i, double K, double *force) const override { fix_->kick(i,K,force); }
-  void couple(int i, double C, double *couple) const override { fix_->kick(i,C,couple,1); }
+  void force(int i, double K, double *force) const override { fix_->kick(i, K, force); }
+  void couple(int i, double C, double *couple) const override { fix_->kick(i, C, couple, 1); }
 
  private:
   const FixBrownian *fix_;
@@ -58,26 +58,24 @@ class Thermal : public clay::RandomForce {
 /* ---------------------------------------------------------------------- */
 
 FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
-  Fix(lmp,narg,arg),
-  settings_(settings(narg,arg,error)),
-  dt_(0.), idle_(false), opened_(-1), pending_(false), waited_(0), prompt_(true), warned_(false),
-  exchanges_(0), bodies_(NULL), fluid_(NULL), more_(NULL), mute_(0), gravity_(lmp), usual_{}, listed_(-1),
-  still_(false), unseen_(false), still_steps_(0), last_time_(0.)
+  Fix(lmp, narg, arg), settings_(settings(narg, arg, error)), dt_(0.), idle_(false), opened_(-1), pending_(false),
+  waited_(0), prompt_(true), warned_(false), exchanges_(0), bodies_(NULL), fluid_(NULL), more_(NULL), mute_(0),
+  gravity_(lmp), usual_{}, listed_(-1), still_(false), unseen_(false), still_steps_(0), last_time_(0.)
 {
   given_[0] = given_[1] = given_[2] = 0.;
 
-  report_.reset(new CouplingReport(lmp,settings_.stats,settings_.progress));
-  report_->setting("clump_drag",clay::name(settings_.clumpDrag));
+  report_.reset(new CouplingReport(lmp, settings_.stats, settings_.progress));
+  report_->setting("clump_drag", clay::name(settings_.clumpDrag));
   if (settings_.clumpDrag == ClumpDragKind::resistance) {
-    clumps_.reset(new CoupledClumps(lmp,clay::shapeLaw(settings_.shapeLaw)));
-    report_->setting("shape_law",settings_.shapeLaw);
+    clumps_.reset(new CoupledClumps(lmp, clay::shapeLaw(settings_.shapeLaw)));
+    report_->setting("shape_law", settings_.shapeLaw);
   }
   if (settings_.watch) watch_.reset(new RunawayWatch(lmp));
 
   nevery = 1;
   time_depend = 1;
-  create_attribute = 1;   // set_arrays for particles inserted within a run
-  restart_global = 1;     // the clock, which LIGGGHTS does not restart
+  create_attribute = 1;  // set_arrays for particles inserted within a run
+  restart_global = 1;    // the clock, which LIGGGHTS does not restart
   comm_forward = comm_reverse = Row::FORCE - Row::DRAG;
   grow_arrays(atom->nmax);
   atom->add_callback(0);
@@ -89,9 +87,9 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
 FixCoupleFoam::~FixCoupleFoam()
 {
   if (session_) session_->close();
-  Fix *ms = modify ? modify->find_fix_style("multisphere",0) : NULL;
-  if (FixMultisphereClump *bodies = dynamic_cast<FixMultisphereClump*>(ms)) bodies->uncouple();
-  atom->delete_callback(id,0);
+  Fix *ms = modify ? modify->find_fix_style("multisphere", 0) : NULL;
+  if (FixMultisphereClump *bodies = dynamic_cast<FixMultisphereClump *>(ms)) bodies->uncouple();
+  atom->delete_callback(id, 0);
   memory->destroy(fluid_);
   memory->destroy(more_);
 }
@@ -109,7 +107,7 @@ int FixCoupleFoam::setmask()
 void FixCoupleFoam::post_create()
 {
   if (modify->n_fixes_style("couple/foam") > 1)
-    error->all(FLERR,"Fix couple/foam: only one fix couple/foam is allowed; it couples all particles");
+    error->all(FLERR, "Fix couple/foam: only one fix couple/foam is allowed; it couples all particles");
 }
 
 /* ---------------------------------------------------------------------- */
@@ -117,30 +115,35 @@ void FixCoupleFoam::post_create()
 void FixCoupleFoam::init()
 {
   if (!atom->rmass_flag || !atom->radius_flag)
-    error->all(FLERR,"Fix couple/foam: needs radius and mass per particle, "
-                     "as atom_style granular has them");
+    error->all(FLERR,
+               "Fix couple/foam: needs radius and mass per particle, "
+               "as atom_style granular has them");
 
-  Fix *ms = modify->find_fix_style("multisphere",0);
-  bodies_ = dynamic_cast<FixMultisphereClump*>(ms);
+  Fix *ms = modify->find_fix_style("multisphere", 0);
+  bodies_ = dynamic_cast<FixMultisphereClump *>(ms);
   if (ms && !bodies_)
-    error->all(FLERR,(std::string("Fix couple/foam: clumps need 'fix multisphere/clump'; the script has 'fix ") +
-                      ms->style + "'").c_str());
-  if (bodies_ && igroup != 0)
-    error->all(FLERR,"Fix couple/foam: with clumps its group must be 'all'");
-  if (strstr(update->integrate_style,"respa"))
-    error->all(FLERR,"Fix couple/foam: works with run_style verlet, not with respa");
-  if (bodies_) bodies_->couple([this] { if (pending_) take_answer(); });
+    error->all(
+        FLERR,
+        (std::string("Fix couple/foam: clumps need 'fix multisphere/clump'; the script has 'fix ") + ms->style + "'")
+            .c_str());
+  if (bodies_ && igroup != 0) error->all(FLERR, "Fix couple/foam: with clumps its group must be 'all'");
+  if (strstr(update->integrate_style, "respa"))
+    error->all(FLERR, "Fix couple/foam: works with run_style verlet, not with respa");
+  if (bodies_)
+    bodies_->couple([this] {
+      if (pending_) take_answer();
+    });
   if (clumps_ && !bodies_)
-    error->all(FLERR,"Fix couple/foam: clumpDrag resistance: there are no clumps; 'fix multisphere/clump' makes them");
+    error->all(FLERR, "Fix couple/foam: clumpDrag resistance: there are no clumps; 'fix multisphere/clump' makes them");
   if (clumps_) clumps_->init(bodies_);
-  const FixBrownian *thermal = dynamic_cast<FixBrownian*>(modify->find_fix_style("brownian",0));
+  const FixBrownian *thermal = dynamic_cast<FixBrownian *>(modify->find_fix_style("brownian", 0));
   random_.reset(thermal ? new Thermal(thermal) : NULL);
 
   moving_ = moving_groups(lmp);
-  mute_ = clay::frozen_above(script_fixes(lmp),modify->find_fix(id));
+  mute_ = clay::frozen_above(script_fixes(lmp), modify->find_fix(id));
   gravity_.find();
 
-  refuse([&] { clay::check_order(script_fixes(lmp),modify->find_fix(id)); });
+  refuse([&] { clay::check_order(script_fixes(lmp), modify->find_fix(id)); });
 }
 
 /* ----------------------------------------------------------------------
@@ -152,7 +155,7 @@ void FixCoupleFoam::refuse(const std::function<void()> &check)
   try {
     check();
   } catch (const std::invalid_argument &e) {
-    error->all(FLERR,(std::string("Fix couple/foam: ") + e.what()).c_str());
+    error->all(FLERR, (std::string("Fix couple/foam: ") + e.what()).c_str());
   }
 }
 
@@ -161,8 +164,8 @@ void FixCoupleFoam::refuse(const std::function<void()> &check)
 void FixCoupleFoam::check_contacts()
 {
   std::string which;
-  const double limit = resting_step_limit(lmp,&which);
-  refuse([&] { clay::check_contact_limit(update->dt,limit,which); });
+  const double limit = resting_step_limit(lmp, &which);
+  refuse([&] { clay::check_contact_limit(update->dt, limit, which); });
   const ChargedContact worst = charged_contact(lmp);
   std::string odd;
   refuse([&] { odd = clay::check_charges(worst); });
@@ -173,10 +176,10 @@ void FixCoupleFoam::watch_contact_limit()
 {
   if (warned_) return;
   int contacts = 0;
-  const double limit = present_step_limit(lmp,&contacts);
+  const double limit = present_step_limit(lmp, &contacts);
   if (update->dt <= limit) return;
   warned_ = true;
-  report_->warn(clay::contact_limit_warning(update->dt,limit,contacts,update->ntimestep));
+  report_->warn(clay::contact_limit_warning(update->dt, limit, contacts, update->ntimestep));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -188,7 +191,7 @@ clay::DemTerms FixCoupleFoam::terms()
   t.step = update->dt;
   t.interval = settings_.interval;
   t.startTime = update->get_cur_time();
-  t.endTime = t.startTime + (update->laststep - update->firststep)*update->dt;
+  t.endTime = t.startTime + (update->laststep - update->firststep) * update->dt;
 
   gravity_.evaluate();
   find_gravity();
@@ -205,17 +208,16 @@ clay::DemTerms FixCoupleFoam::terms()
   bigint n = 0, nall;
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & groupbit) {
-      radius = std::max(radius,atom->radius[i]);
+      radius = std::max(radius, atom->radius[i]);
       n++;
     }
-  MPI_Allreduce(&radius,&all,1,MPI_DOUBLE,MPI_MAX,world);
-  MPI_Allreduce(&n,&nall,1,MPI_LMP_BIGINT,MPI_SUM,world);
+  MPI_Allreduce(&radius, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(&n, &nall, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   t.maxRadius = all;
   t.particles = nall;
 
-  t.offers = {Field::position, Field::radius, Field::volume, Field::velocity, Field::tag,
-              Field::body, Field::impulse, Field::mass, Field::spin,
-              Field::meanVelocity, Field::otherForce, Field::touched};
+  t.offers = {Field::position, Field::radius, Field::volume, Field::velocity,     Field::tag,        Field::body,
+              Field::impulse,  Field::mass,   Field::spin,   Field::meanVelocity, Field::otherForce, Field::touched};
   if (clumps_) t.brings = {Field::dragDiameter, Field::dragFactor};
   if (gravity_.differs(igroup)) t.brings.add(Field::gravity);
   if (bodies_) t.clumpDrag = clay::name(settings_.clumpDrag);
@@ -234,27 +236,27 @@ double FixCoupleFoam::fluid_viscosity() const { return session_ ? session_->remo
 void FixCoupleFoam::open()
 {
   dt_ = update->dt;
-  refuse([&] { clay::check_interval(update->laststep - update->firststep,settings_.interval); });
+  refuse([&] { clay::check_interval(update->laststep - update->firststep, settings_.interval); });
   if (settings_.contactLimit) check_contacts();
   try {
     const clay::DemTerms mine = terms();
     if (session_) session_->resume(mine);
     else {
       session_.reset(new clay::DemSession(mine));
-      for (const std::string &odd : clay::warnings(mine,session_->remoteTerms())) report_->warn(odd);
+      for (const std::string &odd : clay::warnings(mine, session_->remoteTerms())) report_->warn(odd);
     }
   } catch (clay::Refusal &refusal) {
-    error->all(FLERR,refusal.what());
+    error->all(FLERR, refusal.what());
   }
   sent_ = clay::Particles(session_->sends());
   answer_ = clay::Particles(session_->receives());
-  if (clumps_) clumps_->fluid(session_->remoteTerms().fluidViscosity,session_->remoteTerms().fluidDensity);
+  if (clumps_) clumps_->fluid(session_->remoteTerms().fluidViscosity, session_->remoteTerms().fluidDensity);
 
   const clay::FieldSet &gets = session_->receives();
-  if (gets.has(Field::addedMass)) refuse([&] { clay::check_last(script_fixes(lmp),modify->find_fix(id)); });
+  if (gets.has(Field::addedMass)) refuse([&] { clay::check_last(script_fixes(lmp), modify->find_fix(id)); });
   if (!more_ && (gets.has(Field::addedMass) || gets.has(Field::turnCoefficient))) {
-    memory->create(more_,atom->nmax,(int) More::SIZE,"couple/foam:more");
-    for (int i = 0; i < atom->nmax; i++) std::fill(more_[i],more_[i] + More::SIZE,0.);
+    memory->create(more_, atom->nmax, (int)More::SIZE, "couple/foam:more");
+    for (int i = 0; i < atom->nmax; i++) std::fill(more_[i], more_[i] + More::SIZE, 0.);
   }
 }
 
@@ -286,7 +288,9 @@ void FixCoupleFoam::setup(int)
 void FixCoupleFoam::post_integrate()
 {
   if (update->laststep != opened_)
-    error->all(FLERR,"Fix couple/foam: 'run ... pre no' starts without its set-up, which the coupling needs; leave out 'pre no'");
+    error->all(
+        FLERR,
+        "Fix couple/foam: 'run ... pre no' starts without its set-up, which the coupling needs; leave out 'pre no'");
   if (!pending_) return;
   // a fix that stands above may insert or delete particles in pre_exchange
   for (int i = 0; i < modify->nfix; i++)
@@ -305,13 +309,13 @@ void FixCoupleFoam::write_restart(FILE *fp)
   if (comm->me) return;
   const int size = sizeof(double);
   const double time = update->get_cur_time();
-  fwrite(&size,sizeof(int),1,fp);
-  fwrite(&time,sizeof(double),1,fp);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&time, sizeof(double), 1, fp);
 }
 
 void FixCoupleFoam::restart(char *buf)
 {
-  std::memcpy(&update->atime,buf,sizeof(double));
+  std::memcpy(&update->atime, buf, sizeof(double));
   update->atimestep = update->ntimestep;
 }
 
@@ -343,7 +347,7 @@ void FixCoupleFoam::end_of_step()
   if (idle_) return;
   if (watch_) watch_->step();
   if ((update->ntimestep - update->firststep) % settings_.interval) return;
-  refuse([&] { clay::check_step(dt_,update->dt); });
+  refuse([&] { clay::check_step(dt_, update->dt); });
   if (settings_.contactLimit && ++exchanges_ % 50 == 0) watch_contact_limit();
   send(update->ntimestep == update->laststep);
 }
@@ -354,5 +358,5 @@ void FixCoupleFoam::post_run()
 {
   if (idle_) return;
   if (pending_) take_answer();
-  report_->finish(*session_,settings_.interval,watch_ ? watch_->wall_overlap() : 0.);
+  report_->finish(*session_, settings_.interval, watch_ ? watch_->wall_overlap() : 0.);
 }

@@ -27,7 +27,10 @@ FixStyle(couple/foam,FixCoupleFoam)
 #include "clumps/script_gravity.h"
 #include "fluid/coupled_fluid.h"
 
-namespace clay { class DemSession; struct DemTerms; }
+namespace clay {
+class DemSession;
+struct DemTerms;
+}
 
 namespace LAMMPS_NS {
 
@@ -100,36 +103,36 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   std::vector<clay::StillSphere> still_spheres() const;
 
   const clay::CoupleSettings settings_;
-  double dt_;                    // DEM step at the start of the run [s]
-  bool idle_;                    // a run of no steps
-  bigint opened_;                // last step of the run that was set up
-  bool pending_;                 // an answer is still to come
-  int waited_;                   // steps that went on without it
-  bool prompt_;                  // the last answer came late: wait for the next one
-  bool warned_;                  // of the contacts there are
+  double dt_;      // DEM step at the start of the run [s]
+  bool idle_;      // a run of no steps
+  bigint opened_;  // last step of the run that was set up
+  bool pending_;   // an answer is still to come
+  int waited_;     // steps that went on without it
+  bool prompt_;    // the last answer came late: wait for the next one
+  bool warned_;    // of the contacts there are
   long exchanges_;
-  FixMultisphereClump *bodies_;  // null without clumps
+  FixMultisphereClump *bodies_;                // null without clumps
   std::unique_ptr<clay::RandomForce> random_;  // null without random forces
-  std::unique_ptr<CoupledClumps> clumps_;  // null when the drag is the sum over spheres
-  double **fluid_;               // per-atom store, rows of FluidRow
-  double **more_;                // another one, of InertiaRow; null when it is not needed
-  clay::MovingGroups moving_;    // which spheres follow the forces on them
-  int mute_;                     // groups that a fix freeze above took all forces from
+  std::unique_ptr<CoupledClumps> clumps_;      // null when the drag is the sum over spheres
+  double **fluid_;                             // per-atom store, rows of FluidRow
+  double **more_;                              // another one, of InertiaRow; null when it is not needed
+  clay::MovingGroups moving_;                  // which spheres follow the forces on them
+  int mute_;                                   // groups that a fix freeze above took all forces from
   ScriptGravity gravity_;
-  clay::GroupGravity pull_;      // gravity at the last exchange
-  std::array<double,3> usual_;   // of that on all particles [m/s2]
+  clay::GroupGravity pull_;                  // gravity at the last exchange
+  std::array<double, 3> usual_;              // of that on all particles [m/s2]
   std::vector<int> free_, yielding_, held_;  // spheres in no body: all, those that move, the others
-  int listed_;                   // local spheres when they were listed; -1 when out of date
-  bool still_;                   // particles keep still
-  bool unseen_;                  // an answer has come that rest_step() has not compared
-  int still_steps_;              // for so many steps since the last exchange
-  clay::StillForces still_forces_;  // of the fluid when they came to rest
-  double given_[3];              // impulse given on this rank, to particles that are gone, too [N s]
+  int listed_;                               // local spheres when they were listed; -1 when out of date
+  bool still_;                               // particles keep still
+  bool unseen_;                              // an answer has come that rest_step() has not compared
+  int still_steps_;                          // for so many steps since the last exchange
+  clay::StillForces still_forces_;           // of the fluid when they came to rest
+  double given_[3];                          // impulse given on this rank, to particles that are gone, too [N s]
 
   std::unique_ptr<clay::DemSession> session_;
   clay::Particles sent_, answer_;
   std::vector<BodySphere> spheres_;  // of the bodies owned here
-  double last_time_;             // of the last exchange [s]
+  double last_time_;                 // of the last exchange [s]
   std::unique_ptr<CouplingReport> report_;
   std::unique_ptr<RunawayWatch> watch_;  // null when it is switched off
 };

@@ -58,7 +58,7 @@ void FixCoupleFoam::find_gravity()
 clay::Hydrostatics FixCoupleFoam::hydrostatics() const
 {
   const clay::CfdTerms &fluid = session_->remoteTerms();
-  return {fluid.buoyancy ? fluid.fluidDensity : 0.,usual_};
+  return {fluid.buoyancy ? fluid.fluidDensity : 0., usual_};
 }
 
 /* ---------------------------------------------------------------------- */
@@ -83,9 +83,9 @@ void FixCoupleFoam::list_free()
 void FixCoupleFoam::apply(bool first)
 {
   if (listed_ != atom->nlocal) list_free();
-  if (more_) clay::push_inertial_spheres(yielding_,fluid_,more_,spheres(),random_.get(),update->dt,first,given_);
-  else clay::push_spheres(yielding_,fluid_,spheres(),random_.get(),update->dt,first,given_);
-  clay::push_held_spheres(held_,fluid_,spheres(),atom->mask,mute_,random_.get(),update->dt,first,given_);
+  if (more_) clay::push_inertial_spheres(yielding_, fluid_, more_, spheres(), random_.get(), update->dt, first, given_);
+  else clay::push_spheres(yielding_, fluid_, spheres(), random_.get(), update->dt, first, given_);
+  clay::push_held_spheres(held_, fluid_, spheres(), atom->mask, mute_, random_.get(), update->dt, first, given_);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -100,19 +100,19 @@ void FixCoupleFoam::send(bool last)
   list_free();
   sent_.resize(free_.size() + spheres_.size());
   for (int i = 0; i < atom->nlocal; i++) fluid_[i][Row::SLOT] = -1;
-  clay::pack_free(free_,spheres(),fluid_,still_,sent_);
+  clay::pack_free(free_, spheres(), fluid_, still_, sent_);
   if (bodies_) pack_clumps(free_.size());
   tell_motions();
   if (sent_.fields().has(Field::position) && (domain->xperiodic || domain->yperiodic || domain->zperiodic))
-    for (int n = 0; n < sent_.size(); n++) domain->remap(sent_[Field::position] + 3*n);
+    for (int n = 0; n < sent_.size(); n++) domain->remap(sent_[Field::position] + 3 * n);
   check_finite();
 
   last_time_ = update->get_cur_time();
-  session_->send(sent_,last_time_,last,{{given_[0],given_[1],given_[2]}});
+  session_->send(sent_, last_time_, last, {{given_[0], given_[1], given_[2]}});
   pending_ = true;
   waited_ = 0;
-  report_->exchange(*session_,last);
-  if (watch_) watch_->overlaps(report_->overlap(),report_->first(),report_->second());
+  report_->exchange(*session_, last);
+  if (watch_) watch_->overlaps(report_->overlap(), report_->first(), report_->second());
 }
 
 /* ----------------------------------------------------------------------
@@ -130,11 +130,11 @@ void FixCoupleFoam::pack_clumps(int first)
     s.volume = bodies_->body_volume(b);
     s.mass = bodies_->body_mass(b);
     s.tag = bodies_->data().tag(b);
-    bodies_->take_impulse(b,s.impulse.data());
+    bodies_->take_impulse(b, s.impulse.data());
   }
-  const std::vector<double> shares = clay::share_impulses(spheres_,states,fluid_,atom->v,still_,
-                                                          update->get_cur_time() - last_time_);
-  clay::pack_bodies(spheres_,states,shares,spheres(),still_,first,sent_);
+  const std::vector<double> shares =
+      clay::share_impulses(spheres_, states, fluid_, atom->v, still_, update->get_cur_time() - last_time_);
+  clay::pack_bodies(spheres_, states, shares, spheres(), still_, first, sent_);
 
   if (!clumps_) return;
   clumps_->prepare();
@@ -157,14 +157,14 @@ void FixCoupleFoam::tell_motions()
   if (domain->xperiodic || domain->yperiodic || domain->zperiodic)
     interval.nearest = [this](double *d) { domain->minimum_image(d); };
 
-  clay::tell_motion(free_,spheres(),fluid_,interval,sent_);
+  clay::tell_motion(free_, spheres(), fluid_, interval, sent_);
   if (!bodies_) return;
   std::vector<clay::BodyMotion> motions(bodies_->n_body());
   for (size_t b = 0; b < motions.size(); b++) {
-    motions[b].known = bodies_->take_motion(b,motions[b].displacement.data(),motions[b].change.data());
-    for (int k = 0; k < 3; k++) motions[b].lift[k] = bodies_->hydrostatic(b)[k]/bodies_->body_mass(b);
+    motions[b].known = bodies_->take_motion(b, motions[b].displacement.data(), motions[b].change.data());
+    for (int k = 0; k < 3; k++) motions[b].lift[k] = bodies_->hydrostatic(b)[k] / bodies_->body_mass(b);
   }
-  clay::tell_body_motion(spheres_,motions,interval,free_.size(),sent_);
+  clay::tell_body_motion(spheres_, motions, interval, free_.size(), sent_);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -173,13 +173,14 @@ void FixCoupleFoam::check_finite()
 {
   const int slot = clay::first_astray(sent_);
   if (slot < 0) return;
-  const double *x = sent_[Field::position] + 3*slot, *v = sent_[Field::velocity] + 3*slot;
+  const double *x = sent_[Field::position] + 3 * slot, *v = sent_[Field::velocity] + 3 * slot;
   char text[256];
-  snprintf(text,sizeof text,"Fix couple/foam: particle %d has position (%g %g %g), velocity (%g %g %g) "
+  snprintf(text, sizeof text,
+           "Fix couple/foam: particle %d has position (%g %g %g), velocity (%g %g %g) "
            "at step " BIGINT_FORMAT "; it went wrong in the last %d steps",
-           sent_.fields().has(Field::tag) ? (int) sent_[Field::tag][slot] : slot,
-           x[0],x[1],x[2],v[0],v[1],v[2],update->ntimestep,settings_.interval);
-  error->one(FLERR,text);
+           sent_.fields().has(Field::tag) ? (int)sent_[Field::tag][slot] : slot, x[0], x[1], x[2], v[0], v[1], v[2],
+           update->ntimestep, settings_.interval);
+  error->one(FLERR, text);
 }
 
 /* ----------------------------------------------------------------------
@@ -190,7 +191,7 @@ void FixCoupleFoam::check_finite()
 void FixCoupleFoam::look_for_answer()
 {
   if (prompt_ || waited_++ >= settings_.lag) take_answer();
-  else session_->answered();   // helps the messages on their way
+  else session_->answered();  // helps the messages on their way
 }
 
 /* ---------------------------------------------------------------------- */
@@ -205,11 +206,12 @@ void FixCoupleFoam::take_answer()
   if (settings_.lag > 0) {
     const int mine = session_->late();
     int any = mine;
-    if (comm->nprocs > 1) MPI_Allreduce(&mine,&any,1,MPI_INT,MPI_MAX,world);
+    if (comm->nprocs > 1) MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
     prompt_ = any;
   }
 
-  clay::unpack_free(answer_,sent_,hydrostatics(),atom->nlocal,atom->rmass,atom->mask,moving_,update->dt,fluid_,more_);
+  clay::unpack_free(answer_, sent_, hydrostatics(), atom->nlocal, atom->rmass, atom->mask, moving_, update->dt, fluid_,
+                    more_);
   if (bodies_) take_body_answers();
 }
 
@@ -222,21 +224,21 @@ void FixCoupleFoam::take_body_answers()
   if (comm->nprocs > 1)
     for (int i = 0; i < atom->nlocal + atom->nghost; i++)
       if (i >= atom->nlocal || bodies_->belongs_to(i) >= 0)
-        std::fill(fluid_[i] + Row::DRAG,fluid_[i] + Row::FORCE,0.);
+        std::fill(fluid_[i] + Row::DRAG, fluid_[i] + Row::FORCE, 0.);
 
   const int first = sent_.size() - spheres_.size(), nbody = bodies_->n_body();
   if (clumps_) {
-    const auto flow = clay::unpack_bodies<BodyFlow>(answer_,sent_,hydrostatics(),first,spheres_,nbody,fluid_);
-    for (int b = 0; b < nbody; b++) clumps_->set_flow(b,flow[b]);
+    const auto flow = clay::unpack_bodies<BodyFlow>(answer_, sent_, hydrostatics(), first, spheres_, nbody, fluid_);
+    for (int b = 0; b < nbody; b++) clumps_->set_flow(b, flow[b]);
   } else {
-    const auto drag = clay::unpack_bodies<BodyDrag>(answer_,sent_,hydrostatics(),first,spheres_,nbody,fluid_);
-    for (int b = 0; b < nbody; b++) bodies_->set_drag(b,drag[b]);
+    const auto drag = clay::unpack_bodies<BodyDrag>(answer_, sent_, hydrostatics(), first, spheres_, nbody, fluid_);
+    for (int b = 0; b < nbody; b++) bodies_->set_drag(b, drag[b]);
   }
 
-  std::vector<std::array<double,3>> hydro(nbody);
+  std::vector<std::array<double, 3>> hydro(nbody);
   for (const BodySphere &s : spheres_)
-    for (int k = 0; k < 3; k++) hydro[s.body][k] += fluid_[s.atom][Row::HYDRO+k];
-  for (int b = 0; b < nbody; b++) bodies_->set_hydrostatic(b,hydro[b].data());
+    for (int k = 0; k < 3; k++) hydro[s.body][k] += fluid_[s.atom][Row::HYDRO + k];
+  for (int b = 0; b < nbody; b++) bodies_->set_hydrostatic(b, hydro[b].data());
 
   if (comm->nprocs > 1) comm->reverse_comm_fix(this);
 }
@@ -246,8 +248,8 @@ void FixCoupleFoam::take_body_answers()
 std::vector<clay::StillSphere> FixCoupleFoam::still_spheres() const
 {
   std::vector<clay::StillSphere> all;
-  for (int i : free_) all.push_back({fluid_[i],atom->rmass[i]});
-  for (const BodySphere &s : spheres_) all.push_back({fluid_[s.atom],s.fraction*bodies_->body_mass(s.body)});
+  for (int i : free_) all.push_back({fluid_[i], atom->rmass[i]});
+  for (const BodySphere &s : spheres_) all.push_back({fluid_[s.atom], s.fraction * bodies_->body_mass(s.body)});
   return all;
 }
 
@@ -272,19 +274,19 @@ void FixCoupleFoam::rest(bool still)
 void FixCoupleFoam::book_rest()
 {
   if (still_steps_ == 0) return;
-  const double time = still_steps_*update->dt;
+  const double time = still_steps_ * update->dt;
   double force[3];
   for (int i : free_) {
-    clay::still_force(fluid_[i],force);
+    clay::still_force(fluid_[i], force);
     for (int k = 0; k < 3; k++) {
-      fluid_[i][Row::IMPULSE+k] += time*force[k];
-      given_[k] += time*force[k];
+      fluid_[i][Row::IMPULSE + k] += time * force[k];
+      given_[k] += time * force[k];
     }
   }
   for (const BodySphere &s : spheres_) {
-    clay::still_force(fluid_[s.atom],force);
+    clay::still_force(fluid_[s.atom], force);
     for (int k = 0; k < 3; k++) given_[k] += force[k] *= time;
-    bodies_->add_impulse(s.body,force);
+    bodies_->add_impulse(s.body, force);
   }
   still_steps_ = 0;
 }
@@ -296,10 +298,10 @@ bool FixCoupleFoam::rest_step(double tolerance)
   if (pending_) take_answer();
   if (unseen_) {
     unseen_ = false;
-    const std::array<double,3> g = gravity_.now().on(1 | groupbit);
-    const double limit = tolerance*std::sqrt(g[0]*g[0] + g[1]*g[1] + g[2]*g[2]);
-    int changed = still_forces_.changed(still_spheres(),limit), any;
-    MPI_Allreduce(&changed,&any,1,MPI_INT,MPI_MAX,world);
+    const std::array<double, 3> g = gravity_.now().on(1 | groupbit);
+    const double limit = tolerance * std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    int changed = still_forces_.changed(still_spheres(), limit), any;
+    MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
     if (any) return false;
   }
   still_steps_++;

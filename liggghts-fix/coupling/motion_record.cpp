@@ -38,7 +38,10 @@ struct Slot {
     mean(message[Field::meanVelocity] + 3 * slot), other(message[Field::otherForce] + 3 * slot),
     touched(message[Field::touched] + slot), velocity(message[Field::velocity] + 3 * slot),
     impulse(message[Field::impulse] + 3 * slot),
-    gravity(message.fields().has(Field::gravity) ? message[Field::gravity] + 3 * slot : interval.gravity.data()), mass(message[Field::mass][slot]) {}
+    gravity(message.fields().has(Field::gravity) ? message[Field::gravity] + 3 * slot : interval.gravity.data()),
+    mass(message[Field::mass][slot])
+  {
+  }
 
   void unknown()
   {
@@ -59,18 +62,15 @@ struct Slot {
       other[k] = (mass * change[k] - impulse[k]) / interval.time - mass * lift[k];
       // the terms of the difference
       const double all = mass * (std::fabs(gravity[k]) + std::fabs(lift[k])) +
-                         (mass * (std::fabs(velocity[k]) + std::fabs(velocity[k] - change[k])) +
-                          std::fabs(impulse[k])) / interval.time;
+          (mass * (std::fabs(velocity[k]) + std::fabs(velocity[k] - change[k])) + std::fabs(impulse[k])) /
+              interval.time;
       size = std::max(size, all);
     }
     odd.add(other, mass, gravity, size);
   }
 };
 
-bool wanted(const Particles &message)
-{
-  return message.fields().has(Field::touched);
-}
+bool wanted(const Particles &message) { return message.fields().has(Field::touched); }
 
 }  // namespace
 
@@ -95,8 +95,7 @@ void tell_motion(const std::vector<int> &list, const SphereArrays &spheres, doub
       Odd odd;
       slot.known(interval, displacement, change, lift, odd);
       *slot.touched = odd.touched();
-    } else
-      slot.unknown();
+    } else slot.unknown();
     std::copy(x, x + 3, row + Row::PLACE);
     std::copy(slot.velocity, slot.velocity + 3, row + Row::SPEED);
     row[Row::SEEN] = 1.;
@@ -118,8 +117,7 @@ void tell_body_motion(const std::vector<BodySphere> &list, const std::vector<Bod
       std::copy(b.displacement.begin(), b.displacement.end(), displacement);
       if (interval.nearest) interval.nearest(displacement);
       slot.known(interval, displacement, b.change.data(), b.lift.data(), odd[list[n].body]);
-    } else
-      slot.unknown();
+    } else slot.unknown();
   }
   for (std::size_t n = 0; n < list.size(); n++)
     if (bodies[list[n].body].known && interval.time > 0.)

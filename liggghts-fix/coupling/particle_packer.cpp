@@ -72,9 +72,9 @@ std::vector<double> share_impulses(const std::vector<BodySphere> &spheres, const
     const double *row = fluid[s.atom];
     weight[s.body] += row[Row::DRAG];
     for (int k = 0; k < 3; k++) {
-      shares[3 * n + k] =
-          time * (row[Row::LOAD + k] - row[Row::HYDRO + k] +
-                  row[Row::DRAG] * (row[Row::VELOCITY + k] - (still ? 0. : v[s.atom][k])));
+      shares[3 * n + k] = time *
+          (row[Row::LOAD + k] - row[Row::HYDRO + k] +
+           row[Row::DRAG] * (row[Row::VELOCITY + k] - (still ? 0. : v[s.atom][k])));
       rest[3 * s.body + k] -= shares[3 * n + k];
     }
   }
@@ -121,8 +121,7 @@ void unpack(const Particles &answer, const Particles &sent, const Hydrostatics &
   if (answer.fields().has(Field::force)) {
     const double *load = answer[Field::force] + 3 * slot;
     std::copy(load, load + 3, row + Row::LOAD);
-  } else
-    std::fill(row + Row::LOAD, row + Row::LOAD + 3, 0.);
+  } else std::fill(row + Row::LOAD, row + Row::LOAD + 3, 0.);
 
   const double rho = row[Row::DRAG] > 0. ? still.rho : 0.;
   const double *g = sent.fields().has(Field::gravity) ? sent[Field::gravity] + 3 * slot : still.gravity.data();

@@ -20,16 +20,16 @@ using LAMMPS_NS::BodySphere;
 
 /// What is told of a body.
 struct BodyState {
-  double volume = 0, mass = 0;     ///< [m3, kg]
+  double volume = 0, mass = 0;  ///< [m3, kg]
   double tag = 0;
-  std::array<double, 3> impulse{}; ///< received since the last exchange [N s]
+  std::array<double, 3> impulse{};  ///< received since the last exchange [N s]
 };
 
 /// Puts the listed spheres into the message, numbers them in their rows, and takes
 /// their impulses out of these. Spheres that are kept `still` have no velocity.
 /// The message must be large enough.
-void pack_free(const std::vector<int> &list, const SphereArrays &spheres,
-               double *const *fluid, bool still, Particles &message);
+void pack_free(const std::vector<int> &list, const SphereArrays &spheres, double *const *fluid, bool still,
+               Particles &message);
 
 /// Impulse [N s] of each sphere of a body, three numbers a sphere: what its own drag
 /// and load gave it in `time` [s], and its part by drag coefficient (by volume where

@@ -93,7 +93,7 @@ std::vector<Body> bodies_here(FixMultisphere *ms)
 {
   std::vector<Body> bodies(ms->n_body());
   const auto vectors = [ms](const char *name) {
-    return ms->data().prop().getElementProperty<VectorContainer<double,3> >(name)->begin();
+    return ms->data().prop().getElementProperty<VectorContainer<double, 3>>(name)->begin();
   };
   double **moments = vectors("inertia"), **ex = vectors("ex_space"), **ey = vectors("ey_space"),
          **ez = vectors("ez_space");
@@ -126,9 +126,9 @@ void each_contact(LAMMPS *lmp, const NeighList *list, const ContactModel &model,
         at[d] = atom.x[i][d] + apart * atom.radius[i] / reach;
       }
       if (r2 >= reach * reach) continue;
-      const auto c = model.between(atom.type[i], atom.type[j],
-                                   atom.rmass[i] * atom.rmass[j] / (atom.rmass[i] + atom.rmass[j]),
-                                   atom.radius[i] * atom.radius[j] / reach);
+      const auto c =
+          model.between(atom.type[i], atom.type[j], atom.rmass[i] * atom.rmass[j] / (atom.rmass[i] + atom.rmass[j]),
+                        atom.radius[i] * atom.radius[j] / reach);
       add(i, at, c, false);
       add(j, at, c, false);
     }
@@ -212,7 +212,10 @@ double LAMMPS_NS::present_step_limit(LAMMPS *lmp, int *contacts)
     const Body &b = bodies[next.second];
     mine.take(b.matrices.step(b.mass, b.inertia), b.bound.contacts);
   }
-  struct { double step; int contacts; } sent = { mine.step, mine.contacts }, least;
+  struct {
+    double step;
+    int contacts;
+  } sent = {mine.step, mine.contacts}, least;
   MPI_Allreduce(&sent, &least, 1, MPI_DOUBLE_INT, MPI_MINLOC, lmp->world);
   if (contacts) *contacts = least.contacts;
   return least.step;

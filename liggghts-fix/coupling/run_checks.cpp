@@ -65,9 +65,9 @@ clay::ContactCoefficients ContactModel::between(int i, int j, double mass, doubl
                          : mass * global("gammat", "peratomtypepair", i, j);
     return c;
   }
-  const double modulus = clay::effectiveModulus(
-      global("youngsModulus", "peratomtype", i), global("poissonsRatio", "peratomtype", i),
-      global("youngsModulus", "peratomtype", j), global("poissonsRatio", "peratomtype", j));
+  const double modulus =
+      clay::effectiveModulus(global("youngsModulus", "peratomtype", i), global("poissonsRatio", "peratomtype", i),
+                             global("youngsModulus", "peratomtype", j), global("poissonsRatio", "peratomtype", j));
   return clay::hookeCoefficients(radius, mass, modulus, global("characteristicVelocity", "scalar"),
                                  global("coefficientRestitution", "peratomtypepair", i, j));
 }
@@ -79,7 +79,7 @@ std::vector<clay::FixEntry> LAMMPS_NS::script_fixes(LAMMPS *lmp)
   std::vector<clay::FixEntry> all;
   for (int i = 0; i < lmp->modify->nfix; i++) {
     Fix *fix = lmp->modify->fix[i];
-    all.push_back({fix->id,fix->style,(fix->setmask() & FixConst::POST_FORCE) != 0,fix->groupbit});
+    all.push_back({fix->id, fix->style, (fix->setmask() & FixConst::POST_FORCE) != 0, fix->groupbit});
   }
   return all;
 }
@@ -150,8 +150,8 @@ ChargedContact LAMMPS_NS::charged_contact(LAMMPS *lmp)
 {
   ChargedContact worst;
   const ContactModel model(lmp);
-  const PairCoulClump *coul = lmp->force->pair
-    ? dynamic_cast<PairCoulClump *>(lmp->force->pair_match("coul/clump", 1)) : nullptr;
+  const PairCoulClump *coul =
+      lmp->force->pair ? dynamic_cast<PairCoulClump *>(lmp->force->pair_match("coul/clump", 1)) : nullptr;
   if (!coul || !model.known()) return worst;
 
   const Atom &atom = *lmp->atom;

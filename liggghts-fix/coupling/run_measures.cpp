@@ -38,8 +38,8 @@ std::string RunMeasures::json() const
   j["clumps"] = clumps;
   j["max_overlap_over_d"] = overlap;
   j["max_wall_overlap_over_d"] = wallOverlap;
-  j["settings"] = {{"timestep_s", timestep}, {"coupling_interval_steps", interval},
-                   {"coupling_interval_s", timestep * interval}};
+  j["settings"] = {
+      {"timestep_s", timestep}, {"coupling_interval_steps", interval}, {"coupling_interval_s", timestep * interval}};
   for (const auto &s : settings) j["settings"][s.first] = s.second;
   j["warnings"] = warnings;
   return j.dump(2) + '\n';
@@ -51,7 +51,8 @@ std::string Progress::line() const
 {
   const long eta = done > 0. ? std::lround(spent * (1. - done) / done) : 0;
   char text[256];
-  int n = std::snprintf(text, sizeof text, "t = %.4f s  %5.1f %%  ETA %ld:%02ld", time, 100. * done, eta / 60, eta % 60);
+  int n =
+      std::snprintf(text, sizeof text, "t = %.4f s  %5.1f %%  ETA %ld:%02ld", time, 100. * done, eta / 60, eta % 60);
   if (interface) n += std::snprintf(text + n, sizeof text - n, "  interface %.4f m", *interface);
   std::snprintf(text + n, sizeof text - n, "  overlap/d %.2e  momentum %.1e", overlap, momentum);
   return text;

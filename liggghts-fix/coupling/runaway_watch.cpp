@@ -28,10 +28,7 @@ RunawayWatch::RunawayWatch(LAMMPS *lmp) : Pointers(lmp), checked_(0), held_(0), 
 
 /* ---------------------------------------------------------------------- */
 
-void RunawayWatch::start()
-{
-  checked_ = held_ = update->ntimestep;
-}
+void RunawayWatch::start() { checked_ = held_ = update->ntimestep; }
 
 /* ---------------------------------------------------------------------- */
 
@@ -39,16 +36,15 @@ void RunawayWatch::stop(int i, const char *why, bigint since)
 {
   const double *x = atom->x[i], *v = atom->v[i];
   char text[512];
-  snprintf(text,sizeof text,"Fix couple/foam: particle %d %s at step " BIGINT_FORMAT " (%g s): position (%g %g %g) m, "
-           "velocity (%g %g %g) m/s; last check passed at step " BIGINT_FORMAT "; a smaller timestep, a stiffer contact or a shorter coupling interval may help",
-           atom->tag[i],why,update->ntimestep,update->get_cur_time(),x[0],x[1],x[2],v[0],v[1],v[2],since);
+  snprintf(text, sizeof text,
+           "Fix couple/foam: particle %d %s at step " BIGINT_FORMAT " (%g s): position (%g %g %g) m, "
+           "velocity (%g %g %g) m/s; last check passed at step " BIGINT_FORMAT
+           "; a smaller timestep, a stiffer contact or a shorter coupling interval may help",
+           atom->tag[i], why, update->ntimestep, update->get_cur_time(), x[0], x[1], x[2], v[0], v[1], v[2], since);
   end(text);
 }
 
-void RunawayWatch::end(const std::string &text)
-{
-  error->one(FLERR,text.c_str());
-}
+void RunawayWatch::end(const std::string &text) { error->one(FLERR, text.c_str()); }
 
 /* ---------------------------------------------------------------------- */
 
@@ -57,12 +53,12 @@ void RunawayWatch::step()
   if (update->ntimestep % EVERY) return;
   double **v = atom->v;
   const double *radius = atom->radius;
-  const double dt2 = update->dt*update->dt;
+  const double dt2 = update->dt * update->dt;
   for (int i = 0; i < atom->nlocal; i++) {
-    const double far2 = (v[i][0]*v[i][0] + v[i][1]*v[i][1] + v[i][2]*v[i][2])*dt2;
+    const double far2 = (v[i][0] * v[i][0] + v[i][1] * v[i][1] + v[i][2] * v[i][2]) * dt2;
     // false for NaN, too
-    if (far2 <= 4.*radius[i]*radius[i]) continue;
-    stop(i,std::isfinite(far2) ? "moves more than its diameter in a step" : "is NaN",checked_);
+    if (far2 <= 4. * radius[i] * radius[i]) continue;
+    stop(i, std::isfinite(far2) ? "moves more than its diameter in a step" : "is NaN", checked_);
   }
   checked_ = update->ntimestep;
 }
@@ -71,15 +67,15 @@ void RunawayWatch::step()
 
 void RunawayWatch::places(const std::function<bool(int)> &may_leave)
 {
-  const int periodic[3] = {domain->xperiodic,domain->yperiodic,domain->zperiodic};
+  const int periodic[3] = {domain->xperiodic, domain->yperiodic, domain->zperiodic};
   for (int i = 0; i < atom->nlocal; i++)
     for (int k = 0; k < 3; k++) {
       const double x = atom->x[i][k];
-      if (!std::isfinite(x)) stop(i,"is NaN",checked_);
+      if (!std::isfinite(x)) stop(i, "is NaN", checked_);
       // a border that shrink-wraps moves along
       if (periodic[k] || domain->boundary[k][0] != 1 || domain->boundary[k][1] != 1) continue;
       if ((x < domain->boxlo[k] || x >= domain->boxhi[k]) && !may_leave(i))
-        stop(i,"was pushed out of the box (watch no lets particles leave it)",checked_);
+        stop(i, "was pushed out of the box (watch no lets particles leave it)", checked_);
     }
 }
 
@@ -89,9 +85,10 @@ void RunawayWatch::overlaps(double overlap, int tag1, int tag2)
 {
   if (overlap > most_overlap) {
     char text[256];
-    snprintf(text,sizeof text,"Fix couple/foam: particles %d and %d overlap by %.2g d at step " BIGINT_FORMAT " (%g s), more than "
+    snprintf(text, sizeof text,
+             "Fix couple/foam: particles %d and %d overlap by %.2g d at step " BIGINT_FORMAT " (%g s), more than "
              "%g d: the contact is too soft for its load; take a larger stiffness",
-             tag1,tag2,overlap,update->ntimestep,update->get_cur_time(),most_overlap);
+             tag1, tag2, overlap, update->ntimestep, update->get_cur_time(), most_overlap);
     end(text);
   }
   const clay::MovingGroups moving = moving_groups(lmp);
@@ -99,12 +96,13 @@ void RunawayWatch::overlaps(double overlap, int tag1, int tag2)
     for (int i = 0; i < atom->nlocal; i++) {
       if (!(atom->mask[i] & w->groupbit) || !moving.moves(atom->mask[i])) continue;
       double to_wall[3];
-      const double gap = w->primitiveWall()->resolveContact(atom->x[i],atom->radius[i],to_wall);
+      const double gap = w->primitiveWall()->resolveContact(atom->x[i], atom->radius[i], to_wall);
       if (gap >= 0.) continue;
-      const double deep = -0.5*gap/atom->radius[i];
-      wall_overlap_ = std::max(wall_overlap_,deep);
+      const double deep = -0.5 * gap / atom->radius[i];
+      wall_overlap_ = std::max(wall_overlap_, deep);
       if (deep > most_overlap)
-        stop(i,("is pressed " + std::to_string(deep).substr(0,4) + " d into the wall of fix " + w->id).c_str(),held_);
+        stop(i, ("is pressed " + std::to_string(deep).substr(0, 4) + " d into the wall of fix " + w->id).c_str(),
+             held_);
     }
   held_ = update->ntimestep;
 }

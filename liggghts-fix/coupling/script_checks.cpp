@@ -75,22 +75,23 @@ void check_contact_limit(double dt, double limit, const std::string &which)
 std::string check_charges(const LAMMPS_NS::ChargedContact &c)
 {
   if (c.impact <= 0.1) return "";
-  const std::string need =
-      text("a stiffness of %.3g N/m in place of %.3g makes it 0.1 d", c.wanted, c.stiffness);
+  const std::string need = text("a stiffness of %.3g N/m in place of %.3g makes it 0.1 d", c.wanted, c.stiffness);
   if (c.overlap > 1.)
-    throw std::invalid_argument(text("the charges of types %d and %d pull their spheres into each other: the contact does "
-                                     "not hold them at any overlap; %s, or take smaller charges, or contact_limit no",
-                                     c.first, c.second, need.c_str()));
+    throw std::invalid_argument(
+        text("the charges of types %d and %d pull their spheres into each other: the contact does "
+             "not hold them at any overlap; %s, or take smaller charges, or contact_limit no",
+             c.first, c.second, need.c_str()));
   return text("the charges of types %d and %d make spheres that come from afar overlap by up to %.2g d, "
-              "at rest by %.2g d; %s", c.first, c.second, c.impact, c.overlap, need.c_str());
+              "at rest by %.2g d; %s",
+              c.first, c.second, c.impact, c.overlap, need.c_str());
 }
 
 /* ---------------------------------------------------------------------- */
 
 std::string contact_limit_warning(double dt, double limit, int contacts, long step)
 {
-  return text("timestep %g s is above %.3g s, the contact limit of a body with %d contacts at step %ld",
-              dt, limit, contacts, step);
+  return text("timestep %g s is above %.3g s, the contact limit of a body with %d contacts at step %ld", dt, limit,
+              contacts, step);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -98,8 +99,8 @@ std::string contact_limit_warning(double dt, double limit, int contacts, long st
 void check_step(double agreed, double dt)
 {
   if (dt == agreed) return;
-  throw std::invalid_argument(text("the timestep changed from %g to %g s within a run; change it between two runs",
-                                   agreed, dt));
+  throw std::invalid_argument(
+      text("the timestep changed from %g to %g s within a run; change it between two runs", agreed, dt));
 }
 
 }  // namespace clay

@@ -69,8 +69,8 @@ void push_inertial_spheres(const std::vector<int> &list, double *const *fluid, d
     double *s = fluid[i], *v = spheres.v[i], *f = spheres.f[i], kick[3] = {0., 0., 0.};
     if (random) random->force(i, s[Row::DRAG], kick);
     for (int k = 0; k < 3; k++) {
-      const double force = sphere_force(s[Row::DRAG], s[Row::VELOCITY + k], v[k], s[Row::LOAD + k] + kick[k],
-                                        f[k], spheres.mass[i], inertia[i][InertiaRow::ADDED], dt);
+      const double force = sphere_force(s[Row::DRAG], s[Row::VELOCITY + k], v[k], s[Row::LOAD + k] + kick[k], f[k],
+                                        spheres.mass[i], inertia[i][InertiaRow::ADDED], dt);
       const double given = force - s[Row::HYDRO + k];
       if (!first) {
         const double impulse = 0.5 * dt * (s[Row::FORCE + k] + given);
@@ -86,8 +86,7 @@ void push_inertial_spheres(const std::vector<int> &list, double *const *fluid, d
 
 /* ---------------------------------------------------------------------- */
 
-void turn_sphere(int i, double *const *inertia, const SphereArrays &spheres, const RandomForce *random,
-                 double dt)
+void turn_sphere(int i, double *const *inertia, const SphereArrays &spheres, const RandomForce *random, double dt)
 {
   const double r = spheres.radius[i], own = 0.4 * spheres.mass[i] * r * r;
   const double *row = inertia[i];
@@ -95,8 +94,8 @@ void turn_sphere(int i, double *const *inertia, const SphereArrays &spheres, con
   if (random) random->couple(i, row[InertiaRow::TURN], kick);
   for (int k = 0; k < 3; k++) {
     const double other = spheres.torque[i][k] + kick[k];
-    spheres.torque[i][k] = other + sphere_drag(row[InertiaRow::TURN], row[InertiaRow::SPIN + k],
-                                               spheres.omega[i][k], other, own, dt);
+    spheres.torque[i][k] =
+        other + sphere_drag(row[InertiaRow::TURN], row[InertiaRow::SPIN + k], spheres.omega[i][k], other, own, dt);
   }
 }
 
@@ -104,7 +103,8 @@ void turn_sphere(int i, double *const *inertia, const SphereArrays &spheres, con
 
 void still_force(const double *row, double *force)
 {
-  for (int k = 0; k < 3; k++) force[k] = row[Row::LOAD + k] - row[Row::HYDRO + k] + row[Row::DRAG] * row[Row::VELOCITY + k];
+  for (int k = 0; k < 3; k++)
+    force[k] = row[Row::LOAD + k] - row[Row::HYDRO + k] + row[Row::DRAG] * row[Row::VELOCITY + k];
 }
 
 /* ---------------------------------------------------------------------- */

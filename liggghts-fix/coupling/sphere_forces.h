@@ -13,17 +13,17 @@ namespace clay {
 /// From FORCE on of free spheres only, those in no body.
 struct FluidRow {
   enum {
-    DRAG = 0,       ///< K in F = K (u - v) [kg/s]
-    VELOCITY = 1,   ///< u [m/s]
-    LOAD = 4,       ///< force that does not depend on the motion [N]
-    HYDRO = 7,      ///< its part that the hydrostatic pressure has [N], not the fluid's to give
-    FORCE = 10,     ///< of the last step, without that part [N]
-    IMPULSE = 13,   ///< received since the last exchange, without that part [N s]
-    SLOT = 16,      ///< place in the message, -1 for none
-    RELAX = 17,     ///< mean of the slip over a step, of that at its start
-    PLACE = 18,     ///< at the last exchange [m]
-    SPEED = 21,     ///< velocity then [m/s]
-    SEEN = 24,      ///< above 0 when it was there
+    DRAG = 0,      ///< K in F = K (u - v) [kg/s]
+    VELOCITY = 1,  ///< u [m/s]
+    LOAD = 4,      ///< force that does not depend on the motion [N]
+    HYDRO = 7,     ///< its part that the hydrostatic pressure has [N], not the fluid's to give
+    FORCE = 10,    ///< of the last step, without that part [N]
+    IMPULSE = 13,  ///< received since the last exchange, without that part [N s]
+    SLOT = 16,     ///< place in the message, -1 for none
+    RELAX = 17,    ///< mean of the slip over a step, of that at its start
+    PLACE = 18,    ///< at the last exchange [m]
+    SPEED = 21,    ///< velocity then [m/s]
+    SEEN = 24,     ///< above 0 when it was there
     SIZE = 25
   };
 };
@@ -48,7 +48,7 @@ struct SphereArrays {
   const double *radius = nullptr;   ///< [m]
   const double *mass = nullptr;     ///< [kg]
   const int *tag = nullptr;
-  const int *groups = nullptr;      ///< bits of its groups
+  const int *groups = nullptr;  ///< bits of its groups
   const GroupGravity *gravity = nullptr;
 };
 
@@ -80,8 +80,7 @@ void push_inertial_spheres(const std::vector<int> &list, double *const *fluid, d
                            const SphereArrays &spheres, const RandomForce *random, double dt, bool first, double *all);
 
 /// The fluid's couple on one sphere, solved exactly over a step.
-void turn_sphere(int i, double *const *inertia, const SphereArrays &spheres, const RandomForce *random,
-                 double dt);
+void turn_sphere(int i, double *const *inertia, const SphereArrays &spheres, const RandomForce *random, double dt);
 
 /// A sphere that is kept still: its row and mass [kg].
 struct StillSphere {

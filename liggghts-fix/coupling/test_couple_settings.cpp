@@ -91,6 +91,7 @@ TEST(CoupleSettings, whatIsWrongIsSaidInOneLine)
     EXPECT_EQ(said(std::string("every 1 progress ") + wrong),
               std::string("progress is '") + wrong + "'; it must be a number of seconds, 0 for no line");
   EXPECT_EQ(said("every 1 clumpDrag sum"), "clumpDrag is 'sum'; it must be sphereSum or resistance");
-  EXPECT_EQ(said("every 1 stat a.json"), "unknown keyword 'stat'; known are every, lag, stats, progress, "
-                                         "contact_limit, watch, clumpDrag, shapeLaw");
+  EXPECT_EQ(said("every 1 stat a.json"),
+            "unknown keyword 'stat'; known are every, lag, stats, progress, "
+            "contact_limit, watch, clumpDrag, shapeLaw");
 }

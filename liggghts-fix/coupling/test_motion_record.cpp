@@ -14,10 +14,11 @@ using Row = FluidRow;
 
 namespace {
 
-const FieldSet told = {Field::velocity, Field::impulse,      Field::mass,
+const FieldSet told = {Field::velocity,     Field::impulse,    Field::mass,
                        Field::meanVelocity, Field::otherForce, Field::touched};
-const FieldSet packed = {Field::position, Field::radius, Field::volume, Field::velocity, Field::tag, Field::body,
-                         Field::impulse, Field::mass, Field::spin, Field::meanVelocity, Field::otherForce, Field::touched};
+const FieldSet packed = {Field::position, Field::radius,       Field::volume,     Field::velocity,
+                         Field::tag,      Field::body,         Field::impulse,    Field::mass,
+                         Field::spin,     Field::meanVelocity, Field::otherForce, Field::touched};
 const double g = 9.81, T = 2e-3, K = 2e-7, u = 0.3, mass = 1e-9, load = 2e-9;
 
 Interval interval()

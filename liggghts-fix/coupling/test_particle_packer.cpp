@@ -12,10 +12,10 @@ using Row = FluidRow;
 
 namespace {
 
-const FieldSet state = {Field::position, Field::radius, Field::volume, Field::velocity, Field::tag,
-                        Field::body, Field::impulse, Field::mass, Field::spin};
-const FieldSet answered = {Field::dragCoefficient, Field::fluidVelocity, Field::force, Field::addedMass,
-                           Field::turnCoefficient, Field::fluidSpin};
+const FieldSet state = {Field::position, Field::radius,  Field::volume, Field::velocity, Field::tag,
+                        Field::body,     Field::impulse, Field::mass,   Field::spin};
+const FieldSet answered = {Field::dragCoefficient, Field::fluidVelocity,   Field::force,
+                           Field::addedMass,       Field::turnCoefficient, Field::fluidSpin};
 
 // n spheres, all numbers different
 SphereStore spheres(int n)
@@ -39,8 +39,8 @@ Particles answer(int n, FieldSet fields = answered)
 {
   Particles a(fields);
   a.resize(n);
-  for (Field f : {Field::dragCoefficient, Field::fluidVelocity, Field::force, Field::addedMass,
-                  Field::turnCoefficient, Field::fluidSpin})
+  for (Field f : {Field::dragCoefficient, Field::fluidVelocity, Field::force, Field::addedMass, Field::turnCoefficient,
+                  Field::fluidSpin})
     if (fields.has(f))
       for (int i = 0; i < components(f) * n; i++) a[f][i] = 100. * static_cast<int>(f) + i + 1;
   return a;
@@ -148,7 +148,9 @@ TEST(ShareImpulses, addUpToTheBodys)
     double own[2];
     for (int n : {0, 1}) {
       const int i = two_bodies[n].atom;
-      own[n] = time * (s.fluid[i][Row::LOAD + k] - s.fluid[i][Row::HYDRO + k] + drag[i] * (s.fluid[i][Row::VELOCITY + k] - s.v[i][k]));
+      own[n] = time *
+          (s.fluid[i][Row::LOAD + k] - s.fluid[i][Row::HYDRO + k] +
+           drag[i] * (s.fluid[i][Row::VELOCITY + k] - s.v[i][k]));
     }
     const double left = bodies[0].impulse[k] - own[0] - own[1];
     EXPECT_NEAR(shares[k], own[0] + 0.75 * left, 1e-10);
@@ -277,7 +279,8 @@ TEST(UnpackBodies, sumsOverTheirSpheres)
 {
   SphereStore s = spheres(3);
   const Particles a = answer(4);
-  const auto sums = unpack_bodies<LAMMPS_NS::BodyDrag>(a, sent(4), {10., {{0., 0., -3.}}}, 1, two_bodies, 2, s.fluid.rows());
+  const auto sums =
+      unpack_bodies<LAMMPS_NS::BodyDrag>(a, sent(4), {10., {{0., 0., -3.}}}, 1, two_bodies, 2, s.fluid.rows());
   const double *K = a[Field::dragCoefficient];
   ASSERT_EQ(sums.size(), 2u);
   EXPECT_EQ(sums[0].K, K[1] + K[2]);

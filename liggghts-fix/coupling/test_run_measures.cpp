@@ -98,9 +98,9 @@ TEST(LargestOverlap, overTheSmallerDiameter)
 {
   SphereStore s(4);
   s.radius = {1., 2., 1., 1.};
-  s.x[1][0] = 2.7;          // 0.3 deep: 0.15 of d
-  s.x[2][1] = -1.8;         // 0.2 deep: 0.1 of d
-  s.x[3][2] = 1.;           // 1.0 deep, of two that are held
+  s.x[1][0] = 2.7;   // 0.3 deep: 0.15 of d
+  s.x[2][1] = -1.8;  // 0.2 deep: 0.1 of d
+  s.x[3][2] = 1.;    // 1.0 deep, of two that are held
   s.mask = {2, 1, 1, 2};
   int all[3] = {1, 2 | 1 << 30, 3}, *const neighbours[1] = {all};
   const int spheres[1] = {0}, counts[1] = {3};

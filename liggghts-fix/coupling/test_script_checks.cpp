@@ -38,11 +38,11 @@ const FixEntry couple = {"cpl", "couple/foam", true};
 
 TEST(ScriptChecks, usualForcesStandAbove)
 {
-  for (const char *style : {"gravity", "addforce", "wall/gran", "wall/gran/lean", "spring", "spring/self",
-                            "lubrication", "brownian"}) {
+  for (const char *style :
+       {"gravity", "addforce", "wall/gran", "wall/gran/lean", "spring", "spring/self", "lubrication", "brownian"}) {
     EXPECT_EQ(order({{"a", style}, couple}, 0 + 1), "") << style;
-    EXPECT_EQ(order({couple, {"a", style}}, 0), std::string("must stand below 'fix a ") + style +
-                                                     "' in the script, since the drag needs its force");
+    EXPECT_EQ(order({couple, {"a", style}}, 0),
+              std::string("must stand below 'fix a ") + style + "' in the script, since the drag needs its force");
     EXPECT_EQ(order({couple, {"a", style, false}}, 0), "") << style;
   }
   EXPECT_EQ(order({couple, {"a", "nve/sphere", false}, {"b", "property/atom/wall/x"}, {"c", "settling/curve"}}, 0), "");
@@ -50,7 +50,10 @@ TEST(ScriptChecks, usualForcesStandAbove)
 
 TEST(ScriptChecks, withAddedMassAllForcesStandAbove)
 {
-  EXPECT_EQ(last({{"a", "efield"}, couple, {"b", "multisphere/clump"}, {"c", "property/atom"}, {"d", "nve/sphere", false}}, 1), "");
+  EXPECT_EQ(
+      last({{"a", "efield"}, couple, {"b", "multisphere/clump"}, {"c", "property/atom"}, {"d", "nve/sphere", false}},
+           1),
+      "");
   EXPECT_EQ(last({couple, {"a", "efield"}}, 0),
             "the CFD half has added mass, which takes part of all other forces: 'fix a efield' must stand above "
             "it in the script");
@@ -88,8 +91,9 @@ TEST(ScriptChecks, chargesThatTheirContactHolds)
   c.second = 2;
   c.stiffness = 100;
   c.wanted = 300;
-  EXPECT_EQ(check_charges(c), "the charges of types 1 and 2 make spheres that come from afar overlap by up to 0.25 d, "
-                              "at rest by 0.05 d; a stiffness of 300 N/m in place of 100 makes it 0.1 d");
+  EXPECT_EQ(check_charges(c),
+            "the charges of types 1 and 2 make spheres that come from afar overlap by up to 0.25 d, "
+            "at rest by 0.05 d; a stiffness of 300 N/m in place of 100 makes it 0.1 d");
   c.overlap = 1.5;
   EXPECT_NE(said([&] { check_charges(c); }).find("pull their spheres into each other"), std::string::npos);
 }

@@ -16,8 +16,8 @@ ToldDrag told_drag(const ClumpDrag &drag, const Eigen::Vector3d &slip, double Re
   return told;
 }
 
-double answered_scale(const ClumpDrag &drag, const ToldDrag &told, double volume, double K,
-                      const Eigen::Vector3d &slip, double Re)
+double answered_scale(const ClumpDrag &drag, const ToldDrag &told, double volume, double K, const Eigen::Vector3d &slip,
+                      double Re)
 {
   const double creeping = told.factor * 18 * volume / (drag.diameter() * drag.diameter()) / told.growth;
   return K / creeping / told.growth * drag.growth(slip, Re);

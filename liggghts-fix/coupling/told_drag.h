@@ -25,7 +25,7 @@ ToldDrag told_drag(const ClumpDrag &drag, const Eigen::Vector3d &slip, double Re
 /// Scale [Pa s] of the clump's resistance: the sum K [kg/s] of its spheres' answers
 /// over what was told for creeping flow, which is viscosity times hindrance, with the
 /// growth of the slip known now.
-double answered_scale(const ClumpDrag &drag, const ToldDrag &told, double volume, double K,
-                      const Eigen::Vector3d &slip, double Re);
+double answered_scale(const ClumpDrag &drag, const ToldDrag &told, double volume, double K, const Eigen::Vector3d &slip,
+                      double Re);
 
 }  // namespace clay

@@ -30,10 +30,16 @@ struct Reach {
 template struct Reach<&Modify::fix_map>;
 
 template <class Style>
-Fix *create_fix(LAMMPS *lmp, int narg, char **arg) { return new Style(lmp, narg, arg); }
+Fix *create_fix(LAMMPS *lmp, int narg, char **arg)
+{
+  return new Style(lmp, narg, arg);
+}
 
 template <class Style>
-Pair *create_pair(LAMMPS *lmp) { return new Style(lmp); }
+Pair *create_pair(LAMMPS *lmp)
+{
+  return new Style(lmp);
+}
 
 }
 
@@ -41,14 +47,14 @@ void LAMMPS_NS::register_clay_styles(LAMMPS *lmp)
 {
   FixMap &fixes = *fix_map(*lmp->modify);
 #define FIX_CLASS
-#define FixStyle(key,Class) fixes[#key] = &create_fix<Class>;
+#define FixStyle(key, Class) fixes[#key] = &create_fix<Class>;
 #include "driver/styles.h"
 #undef FixStyle
 #undef FIX_CLASS
 
-  std::map<std::string,Force::PairCreator> &pairs = *lmp->force->pair_map;
+  std::map<std::string, Force::PairCreator> &pairs = *lmp->force->pair_map;
 #define PAIR_CLASS
-#define PairStyle(key,Class) pairs[#key] = &create_pair<Class>;
+#define PairStyle(key, Class) pairs[#key] = &create_pair<Class>;
 #include "driver/styles.h"
 #undef PairStyle
 #undef PAIR_CLASS

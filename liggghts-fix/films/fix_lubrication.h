@@ -40,10 +40,14 @@ class FixLubrication : public Fix {
   // of each sphere, ghosts among them: what its films need to know
   struct State {
     clay::FilmLoad load;
-    double a[3], b[3];   // accelerations by all other forces
+    double a[3], b[3];  // accelerations by all other forces
   };
-  enum { SIZE = sizeof(State)/sizeof(double) };
-  struct Thin { clay::Film film; int i, j; double n[3]; };   // j < 0: a wall
+  enum { SIZE = sizeof(State) / sizeof(double) };
+  struct Thin {
+    clay::Film film;
+    int i, j;
+    double n[3];
+  };  // j < 0: a wall
 
   void parse(int, char **);
   void seek_pairs();
@@ -54,17 +58,17 @@ class FixLubrication : public Fix {
   void mass_and_inertia(int i, double &m, double &I) const;
 
   clay::LubricationLaw law_;
-  bool given_;                  // the viscosity
+  bool given_;  // the viscosity
   bool pairs_on_, walls_on_;
   class FixMultisphere *bodies_;
   std::vector<class FixWallGran *> walls_;
-  std::vector<std::pair<int,int> > pairs_;
-  std::vector<std::pair<int,int> > beside_;   // spheres near a wall: which wall, which sphere
+  std::vector<std::pair<int, int>> pairs_;
+  std::vector<std::pair<int, int>> beside_;  // spheres near a wall: which wall, which sphere
   std::vector<State> state_;
   std::vector<Thin> films_;
-  bigint built_;                // time step of the neighbour lists pairs_ is of
+  bigint built_;  // time step of the neighbour lists pairs_ is of
   int nall_;
-  double mine_[3];              // films of pairs, of walls, smallest gap over mean radius
+  double mine_[3];  // films of pairs, of walls, smallest gap over mean radius
 };
 
 }

@@ -14,10 +14,10 @@ namespace clay {
 ///   roll:    couple on i -roll (wi - wj)_t, the opposite on j
 /// None of them sees a rigid motion of the pair, and each takes energy.
 struct Film {
-  double squeeze = 0;          ///< [kg/s]
-  double shear = 0;            ///< [kg/s]
-  double roll = 0;             ///< [kg m2/s]
-  double armI = 0, armJ = 0;   ///< [m]
+  double squeeze = 0;         ///< [kg/s]
+  double shear = 0;           ///< [kg/s]
+  double roll = 0;            ///< [kg m2/s]
+  double armI = 0, armJ = 0;  ///< [m]
   bool acts() const { return squeeze > 0 || shear > 0 || roll > 0; }
 };
 
@@ -27,13 +27,13 @@ struct Film {
 /// Microhydrodynamics (1991), ch. 11. Wall: Cox and Brenner, Chem. Eng. Sci. 22 (1967)
 /// 1753; Goldman, Cox and Brenner, Chem. Eng. Sci. 22 (1967) 637.
 struct LubricationLaw {
-  double viscosity = 0;    ///< of the fluid, dynamic [Pa s]
-  double outer = 0.5;      ///< gap xi beyond which nothing acts
-  double inner = 1e-3;     ///< gap xi below which the film resists as at it: roughness
-  bool logarithm = true;   ///< the terms in ln(1/xi), besides 1/xi
-  bool shear = true;       ///< shear and roll
-  bool shifted = true;     ///< less their value at the outer gap
-  bool contact = false;    ///< acts on where the surfaces overlap
+  double viscosity = 0;   ///< of the fluid, dynamic [Pa s]
+  double outer = 0.5;     ///< gap xi beyond which nothing acts
+  double inner = 1e-3;    ///< gap xi below which the film resists as at it: roughness
+  bool logarithm = true;  ///< the terms in ln(1/xi), besides 1/xi
+  bool shear = true;      ///< shear and roll
+  bool shifted = true;    ///< less their value at the outer gap
+  bool contact = false;   ///< acts on where the surfaces overlap
 
   /// Between spheres of radii a and b [m], their surfaces h apart [m].
   Film spheres(double a, double b, double h) const;

@@ -15,9 +15,9 @@ struct FilmLoad {
 
 /// Motion of a sphere, or of a wall with loads and accelerations zero.
 struct FilmSide {
-  const double *v, *w;   ///< velocity [m/s] and spin [1/s]
-  const double *a, *b;   ///< accelerations of both by all other forces
-  FilmLoad load;         ///< of all films on it
+  const double *v, *w;  ///< velocity [m/s] and spin [1/s]
+  const double *a, *b;  ///< accelerations of both by all other forces
+  FilmLoad load;        ///< of all films on it
 };
 
 /// Force on i and couples on i and j, mean over a step.

@@ -71,7 +71,9 @@ TEST(Lubrication, oneLawForUnequalSpheresAndTheWall)
 TEST(Lubrication, wallNearlyExact)
 {
   // Brenner's series for a sphere that approaches a plane, less Stokes's drag far away
-  struct Row { double gap, lambda; };
+  struct Row {
+    double gap, lambda;
+  };
   const LubricationLaw law = plain();
   for (const Row &r : {Row{0.0050, 201.868}, Row{0.1276, 9.2518}, Row{0.5431, 3.0361}})
     EXPECT_NEAR(1 + law.wall(1, r.gap).squeeze, r.lambda, 0.03 * r.lambda) << r.gap;
@@ -108,8 +110,15 @@ const double zero[3] = {0, 0, 0};
 
 // a packing of n spheres, films between all that are near; energy before and after a step
 struct Packing {
-  struct Sphere { double x[3], v[3], w[3], m, I; FilmLoad load; };
-  struct Thin { Film film; int i, j; double n[3]; };
+  struct Sphere {
+    double x[3], v[3], w[3], m, I;
+    FilmLoad load;
+  };
+  struct Thin {
+    Film film;
+    int i, j;
+    double n[3];
+  };
   std::vector<Sphere> spheres;
   std::vector<Thin> films;
 
@@ -117,7 +126,12 @@ struct Packing {
   {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> u(-1, 1);
-    const LubricationLaw law = [] { LubricationLaw l; l.viscosity = 1; l.outer = 1; return l; }();
+    const LubricationLaw law = [] {
+      LubricationLaw l;
+      l.viscosity = 1;
+      l.outer = 1;
+      return l;
+    }();
     for (int i = 0; i < n; i++) {
       Sphere s;
       s.m = std::exp(2 * u(random));
@@ -198,7 +212,8 @@ TEST(LubricationStep, oneFilmIsExact)
     const FilmForce f = film_force(film, n, i, wall, dt);
     const double x = film.squeeze * dt / m, steady = m * a[2] / film.squeeze;
     const double expected = steady + (v[2] - steady) * std::exp(-x);
-    EXPECT_NEAR(v[2] + dt * (f.force[2] / m + a[2]), expected, 1e-9 * std::abs(v[2]) + 1e-9 * dt * std::abs(a[2])) << dt;
+    EXPECT_NEAR(v[2] + dt * (f.force[2] / m + a[2]), expected, 1e-9 * std::abs(v[2]) + 1e-9 * dt * std::abs(a[2]))
+        << dt;
   }
 }
 

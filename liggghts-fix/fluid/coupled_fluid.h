@@ -22,7 +22,7 @@ class CoupledFluid {
   /// The one of this script, or null when nothing couples it to a fluid.
   static CoupledFluid *find(Modify *modify)
   {
-    return dynamic_cast<CoupledFluid*>(modify->find_fix_style("couple/foam",0));
+    return dynamic_cast<CoupledFluid *>(modify->find_fix_style("couple/foam", 0));
   }
 };
 

@@ -33,8 +33,8 @@ const std::size_t PART = 1 << 16;  // bytes of the list, and a line, that are re
 
 /* ---------------------------------------------------------------------- */
 
-FixInsertPlaced::FixInsertPlaced(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg),
-  verbose_(true), placed_(0.0), mass_(0.0)
+FixInsertPlaced::FixInsertPlaced(LAMMPS *lmp, int narg, char **arg) :
+  Fix(lmp, narg, arg), verbose_(true), placed_(0.0), mass_(0.0)
 {
   for (int iarg = 3; iarg < narg;) {
     const std::string key = arg[iarg++];
@@ -43,10 +43,9 @@ FixInsertPlaced::FixInsertPlaced(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, n
       file_ = arg[iarg++];
     } else if (key == "templates") {
       for (; iarg < narg && modify->find_fix(arg[iarg]) >= 0; iarg++) {
-        FixTemplateSphere *t =
-          dynamic_cast<FixTemplateSphere *>(modify->fix[modify->find_fix(arg[iarg])]);
+        FixTemplateSphere *t = dynamic_cast<FixTemplateSphere *>(modify->fix[modify->find_fix(arg[iarg])]);
         const bool clump = dynamic_cast<FixTemplateMultisphere *>(t) != NULL;
-        if (!t || (!clump && strcmp(t->style,"particletemplate/sphere") != 0))
+        if (!t || (!clump && strcmp(t->style, "particletemplate/sphere") != 0))
           fail("fix '" + std::string(arg[iarg]) + "' is no template of spheres or of multisphere clumps");
         templates_.push_back(t);
         kinds_.push_back({arg[iarg], clump});
@@ -60,14 +59,13 @@ FixInsertPlaced::FixInsertPlaced(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, n
       } catch (const std::invalid_argument &e) {
         fail(e.what());
       }
-    } else if (!templates_.empty() && std::string(arg[iarg-2]) == kinds_.back().name) {
+    } else if (!templates_.empty() && std::string(arg[iarg - 2]) == kinds_.back().name) {
       fail("there is no fix '" + key + "' to be a template");
     } else fail("unknown keyword '" + key + "': file, templates and verbose are known");
   }
   if (file_.empty()) fail("'file' is missing: the name of the list");
   if (templates_.empty()) fail("'templates' is missing: fix IDs of particle templates");
-  if (!atom->radius_flag || !atom->rmass_flag)
-    fail("needs spheres: atom_style sphere or granular");
+  if (!atom->radius_flag || !atom->rmass_flag) fail("needs spheres: atom_style sphere or granular");
   if (!atom->tag_enable) fail("needs atoms with tags");
   if (domain->triclinic) fail("does not work with a triclinic box");
 
@@ -80,10 +78,7 @@ FixInsertPlaced::FixInsertPlaced(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, n
 
 /* ---------------------------------------------------------------------- */
 
-void FixInsertPlaced::fail(const std::string &why)
-{
-  error->fix_error(FLERR, this, why.c_str());
-}
+void FixInsertPlaced::fail(const std::string &why) { error->fix_error(FLERR, this, why.c_str()); }
 
 /* ----------------------------------------------------------------------
    the particles are there as soon as the command has been read; those of a
@@ -105,7 +100,7 @@ std::string FixInsertPlaced::next_lines(std::ifstream &in)
   std::string text;
   int size = -1;
   if (comm->me == 0) {
-    for (std::string line; text.size() < PART && std::getline(in,line);) text += line + '\n';
+    for (std::string line; text.size() < PART && std::getline(in, line);) text += line + '\n';
     // a folder can be opened, but not be read
     if (in.is_open() && !in.bad()) size = static_cast<int>(text.size());
   }
@@ -140,7 +135,7 @@ void FixInsertPlaced::check_box(const clay::Place &p, ParticleToInsert *particle
       if (domain->periodicity[d] || (x >= domain->boxlo[d] && x < domain->boxhi[d])) continue;
       char text[512];
       snprintf(text, sizeof text, "file %s, line %d: a sphere at %c = %.9g is outside the box, %.9g to %.9g",
-               file_.c_str(), p.line, "xyz"[d], x, domain->boxlo[d], domain->boxhi[d]);
+               file_.c_str(), p.line, "xyz"[d], x, domain -> boxlo[d], domain -> boxhi[d]);
       fail(text);
     }
 }
@@ -187,7 +182,7 @@ void FixInsertPlaced::place()
   int body = 0;
   ScalarContainer<int> *body_tags = NULL;
   if (bodies) {
-    body_tags = bodies->data().prop().getElementProperty<ScalarContainer<int> >("id_multisphere");
+    body_tags = bodies->data().prop().getElementProperty<ScalarContainer<int>>("id_multisphere");
     int mine = bodies->tag_max_body();
     MPI_Allreduce(&mine, &body, 1, MPI_INT, MPI_MAX, world);
   }
@@ -209,8 +204,8 @@ void FixInsertPlaced::place()
       particle->groupbit |= groupbit;
       if (p.radius > 0.0) {
         particle->radius_ins[0] = particle->r_bound_ins = p.radius;
-        particle->volume_ins = 4.0/3.0*M_PI*p.radius*p.radius*p.radius;
-        particle->mass_ins = particle->density_ins*particle->volume_ins;
+        particle->volume_ins = 4.0 / 3.0 * M_PI * p.radius * p.radius * p.radius;
+        particle->mass_ins = particle->density_ins * particle->volume_ins;
       }
       double x[3] = {p.x[0], p.x[1], p.x[2]}, q[4] = {p.q[0], p.q[1], p.q[2], p.q[3]};
       domain->remap(x);
@@ -224,11 +219,10 @@ void FixInsertPlaced::place()
       if (here) {
         mine++;
         const int n = particle->insert(), from = atom->nlocal - n;
-        for (int s = 0; s < n; s++) atom->tag[from+s] = tag + s;
+        for (int s = 0; s < n; s++) atom->tag[from + s] = tag + s;
         if (clump) {
           const ParticleToInsertMultisphere *c = static_cast<ParticleToInsertMultisphere *>(particle);
-          for (int s = 0; s < n; s++)
-            bodies->set_body_displace(from+s, c->displace[s], body, c->volumeweight[s]);
+          for (int s = 0; s < n; s++) bodies->set_body_displace(from + s, c->displace[s], body, c->volumeweight[s]);
           body_tags->set(bodies->n_body() - 1, body);
         }
       }
@@ -239,8 +233,8 @@ void FixInsertPlaced::place()
 
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all != listed)
-    fail("only " + std::to_string(all) + " of the " + std::to_string(listed) +
-         " particles of file " + file_ + " were placed");
+    fail("only " + std::to_string(all) + " of the " + std::to_string(listed) + " particles of file " + file_ +
+         " were placed");
   placed_ += all;
 
   atom->natoms += tag - first;
@@ -257,11 +251,11 @@ void FixInsertPlaced::place()
   }
 
   if (!verbose_ || comm->me != 0) return;
-  FILE *streams[2] = { screen, logfile };
+  FILE *streams[2] = {screen, logfile};
   for (FILE *out : streams)
     if (out)
-      fprintf(out, "Fix %s insert/placed: " BIGINT_FORMAT " particles of %d spheres and %.9g kg from file %s\n", id, all,
-              tag - first, mass_, file_.c_str());
+      fprintf(out, "Fix %s insert/placed: " BIGINT_FORMAT " particles of %d spheres and %.9g kg from file %s\n", id,
+              all, tag - first, mass_, file_.c_str());
 }
 
 /* ---------------------------------------------------------------------- */

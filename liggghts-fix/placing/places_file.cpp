@@ -65,8 +65,8 @@ int kindOf(const Line& line, const std::vector<PlaceKind>& kinds)
 
 }  // namespace
 
-std::vector<Place> readPlaces(const std::string& text, const std::string& file,
-                              const std::vector<PlaceKind>& kinds, int first)
+std::vector<Place> readPlaces(const std::string& text, const std::string& file, const std::vector<PlaceKind>& kinds,
+                              int first)
 {
   std::vector<Place> places;
   std::istringstream in(text);

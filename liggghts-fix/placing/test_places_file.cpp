@@ -27,7 +27,8 @@ std::string refusal(const std::string& text)
 TEST(PlacesFile, particlesInTheirOrder)
 {
   const auto p = readPlaces("# a comment\n\nkao 1 2 3 0.6 0 -0.8 0 # turned\n1 1e-3 0 0 1 0 0 0\n"
-                            "  grain 4 5 6\r\n3 7 8 9 0.25", "list", kinds);
+                            "  grain 4 5 6\r\n3 7 8 9 0.25",
+                            "list", kinds);
   ASSERT_EQ(p.size(), 4u);
   EXPECT_EQ(p[0].kind, 1);
   EXPECT_EQ(p[0].line, 3);
@@ -68,8 +69,7 @@ TEST(PlacesFile, refusalsNameFileAndLine)
 {
   EXPECT_EQ(refusal("grain 1 2 3\nmica 0 0 0 1 0 0 0"),
             "file list, line 2: template 'mica' is not known; known are 1 = ill, 2 = kao, 3 = grain");
-  EXPECT_EQ(refusal("4 0 0 0"),
-            "file list, line 1: template '4' is not known; known are 1 = ill, 2 = kao, 3 = grain");
+  EXPECT_EQ(refusal("4 0 0 0"), "file list, line 1: template '4' is not known; known are 1 = ill, 2 = kao, 3 = grain");
   EXPECT_EQ(refusal("ill 0 0 0"), "file list, line 1: 4 words; needed are 8: template x y z q0 q1 q2 q3");
   EXPECT_EQ(refusal("grain 0 0"), "file list, line 1: 3 words; needed are 4 or 5: template x y z [radius]");
   EXPECT_EQ(refusal("ill 0 0 high 1 0 0 0"), "file list, line 1: a coordinate is 'high'; it must be a number");

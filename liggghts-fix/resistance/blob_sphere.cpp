@@ -37,8 +37,7 @@ Apparent apparentRadii(const std::vector<Vector3d>& points, double blob)
   std::vector<Blob> blobs;
   for (const auto& p : points) blobs.push_back({p, blob});
   const Matrix6d R = blobResistance(blobs, Vector3d::Zero());
-  return {R.topLeftCorner<3, 3>().trace() / (18 * pi),
-          std::cbrt(R.bottomRightCorner<3, 3>().trace() / (24 * pi))};
+  return {R.topLeftCorner<3, 3>().trace() / (18 * pi), std::cbrt(R.bottomRightCorner<3, 3>().trace() / (24 * pi))};
 }
 
 // The torque is that of a larger sphere than the drag when the blobs are small,
@@ -80,8 +79,7 @@ std::vector<Vector3d> icosphere(int f)
       for (std::size_t k = j + 1; k < v.size(); ++k) {
         if (!neighbours(v[i], v[k]) || !neighbours(v[j], v[k])) continue;
         for (int a = 1; a < f; ++a)
-          for (int b = 1; a + b < f; ++b)
-            p.push_back((a * v[i] + b * v[j] + (f - a - b) * v[k]).normalized());
+          for (int b = 1; a + b < f; ++b) p.push_back((a * v[i] + b * v[j] + (f - a - b) * v[k]).normalized());
       }
     }
   return p;
@@ -90,8 +88,7 @@ std::vector<Vector3d> icosphere(int f)
 const BlobSphere& blobSphere(int frequency)
 {
   if (frequency < 1 || frequency > 12)
-    throw std::invalid_argument("blobSphere: frequency " + std::to_string(frequency)
-                                + ", must be 1 to 12");
+    throw std::invalid_argument("blobSphere: frequency " + std::to_string(frequency) + ", must be 1 to 12");
   static std::map<int, BlobSphere> known;
   static std::mutex guard;
   const std::lock_guard<std::mutex> lock(guard);
@@ -110,8 +107,8 @@ Matrix3d rotnePragerYamakawa(const Vector3d& d, double a, double b)
   if (r <= std::abs(a - b)) return Matrix3d::Identity() / (6 * pi * std::max(a, b));
   const double diff2 = (a - b) * (a - b), r3 = 32 * r2 * r;
   const double even = (diff2 + 3 * r2) * (diff2 + 3 * r2), odd = (diff2 - r2) * (diff2 - r2);
-  return ((16 * r2 * r * (a + b) - even) / r3 * Matrix3d::Identity()
-          + 3 * odd / (r3 * r2) * d * d.transpose()) / (6 * pi * a * b);
+  return ((16 * r2 * r * (a + b) - even) / r3 * Matrix3d::Identity() + 3 * odd / (r3 * r2) * d * d.transpose()) /
+      (6 * pi * a * b);
 }
 
 Matrix6d blobResistance(const std::vector<Blob>& blobs, const Vector3d& about)

@@ -14,15 +14,9 @@ ClumpDragKind clumpDragKind(const std::string& name)
   throw std::invalid_argument("'" + name + "'; it must be sphereSum or resistance");
 }
 
-const char* name(ClumpDragKind kind)
-{
-  return kind == ClumpDragKind::sphereSum ? "sphereSum" : "resistance";
-}
+const char* name(ClumpDragKind kind) { return kind == ClumpDragKind::sphereSum ? "sphereSum" : "resistance"; }
 
-ClumpDrag::ClumpDrag(const Clump& clump, const Matrix6d& R, ShapeLaw law) :
-  R_(R), law_(law), shape_(clump)
-{
-}
+ClumpDrag::ClumpDrag(const Clump& clump, const Matrix6d& R, ShapeLaw law) : R_(R), law_(law), shape_(clump) {}
 
 double ClumpDrag::stokes(const Vector3d& direction) const
 {

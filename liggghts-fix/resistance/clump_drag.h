@@ -14,8 +14,8 @@ namespace clay {
 
 /// How the drag of clumps is found.
 enum class ClumpDragKind {
-  sphereSum,   ///< each sphere's own drag, summed
-  resistance   ///< the clump's Stokes resistance and a law for its shape
+  sphereSum,  ///< each sphere's own drag, summed
+  resistance  ///< the clump's Stokes resistance and a law for its shape
 };
 
 /// The kind of that name; throws std::invalid_argument, naming the known ones.
@@ -48,8 +48,7 @@ class ClumpDrag {
 /// when it took longer than `worth` [s] to compute; an empty folder keeps nothing.
 /// A file that cannot be read or written does no harm. `from` says where the
 /// numbers came from.
-StokesResistance keptResistance(const Clump& clump, const std::string& folder, std::string& from,
-                                double worth = 1.0);
+StokesResistance keptResistance(const Clump& clump, const std::string& folder, std::string& from, double worth = 1.0);
 
 /// Where to keep results: what CLAYFOAM_CACHE names (none for nowhere), else
 /// clayfoam in XDG_CACHE_HOME or in the home folder's .cache; empty for nowhere.

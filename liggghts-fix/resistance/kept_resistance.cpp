@@ -20,14 +20,13 @@ std::string keyOf(const Clump& clump, double unit)
 {
   const StokesOptions o;
   std::ostringstream s;
-  s << "clayFoam Stokes resistance 1: tolerance " << o.tolerance << " unknowns " << o.maxUnknowns
-    << " frequency " << o.maxFrequency << " extrapolate " << o.extrapolate << " spheres "
-    << clump.size();
+  s << "clayFoam Stokes resistance 1: tolerance " << o.tolerance << " unknowns " << o.maxUnknowns << " frequency "
+    << o.maxFrequency << " extrapolate " << o.extrapolate << " spheres " << clump.size();
   char text[100];
   for (const auto& c : clump) {
     // + 0.0: there is but one zero
-    std::snprintf(text, sizeof text, "; %.9f %.9f %.9f %.9f", c.x[0] / unit + 0.0,
-                  c.x[1] / unit + 0.0, c.x[2] / unit + 0.0, c.r / unit);
+    std::snprintf(text, sizeof text, "; %.9f %.9f %.9f %.9f", c.x[0] / unit + 0.0, c.x[1] / unit + 0.0,
+                  c.x[2] / unit + 0.0, c.r / unit);
     s << text;
   }
   return s.str();
@@ -38,7 +37,7 @@ std::string fileOf(const std::string& folder, const std::string& key)
   std::uint64_t hash = 14695981039346656037u;  // FNV-1a
   for (unsigned char c : key) hash = (hash ^ c) * 1099511628211u;
   char text[40];
-  std::snprintf(text, sizeof text, "/resistance-%016llx.txt", (unsigned long long) hash);
+  std::snprintf(text, sizeof text, "/resistance-%016llx.txt", (unsigned long long)hash);
   return folder + text;
 }
 
@@ -54,8 +53,7 @@ bool read(const std::string& file, const std::string& key, StokesResistance& r)
   std::ifstream in(file);
   std::string line;
   std::size_t levels = 0;
-  if (!std::getline(in, line) || line != key || !(in >> r.converged >> levels) || levels > 100)
-    return false;
+  if (!std::getline(in, line) || line != key || !(in >> r.converged >> levels) || levels > 100) return false;
   r.levels.resize(levels);
   for (auto& l : r.levels) in >> l.frequency >> l.blobs >> l.change;
   for (int i = 0; i < 36; ++i) in >> r.R.data()[i];
@@ -65,14 +63,13 @@ bool read(const std::string& file, const std::string& key, StokesResistance& r)
 
 void makeFolders(const std::string& folder)
 {
-  for (std::size_t at = folder.find('/', 1); ; at = folder.find('/', at + 1)) {
+  for (std::size_t at = folder.find('/', 1);; at = folder.find('/', at + 1)) {
     ::mkdir(folder.substr(0, at).c_str(), 0777);
     if (at == std::string::npos) return;
   }
 }
 
-bool write(const std::string& folder, const std::string& file, const std::string& key,
-           const StokesResistance& r)
+bool write(const std::string& folder, const std::string& file, const std::string& key, const StokesResistance& r)
 {
   makeFolders(folder);
   const std::string part = file + "." + std::to_string(::getpid());
@@ -90,8 +87,7 @@ bool write(const std::string& folder, const std::string& file, const std::string
 
 }  // namespace
 
-StokesResistance keptResistance(const Clump& clump, const std::string& folder, std::string& from,
-                                double worth)
+StokesResistance keptResistance(const Clump& clump, const std::string& folder, std::string& from, double worth)
 {
   double unit = 0;
   for (const auto& s : clump) unit = std::max(unit, s.r);

@@ -38,8 +38,14 @@ void openArcs(const std::vector<Disc>& discs, int i, std::vector<Arc>& arcs)
     const double mid = 0.5 * (d.r * d.r - e.r * e.r + dist * dist) / dist;
     const double at = std::atan2(dy, dx), open = std::acos(mid / d.r);
     double t0 = at - open, t1 = at + open;
-    if (t0 < -pi) { hidden.push_back({t0 + 2 * pi, pi}); t0 = -pi; }
-    if (t1 > pi) { hidden.push_back({-pi, t1 - 2 * pi}); t1 = pi; }
+    if (t0 < -pi) {
+      hidden.push_back({t0 + 2 * pi, pi});
+      t0 = -pi;
+    }
+    if (t1 > pi) {
+      hidden.push_back({-pi, t1 - 2 * pi});
+      t1 = pi;
+    }
     hidden.push_back({t0, t1});
   }
   std::sort(hidden.begin(), hidden.end());
@@ -70,13 +76,17 @@ double outline(const std::vector<Disc>& discs)
       const Arc& a = arcs[k];
       const Disc& d = discs[a.disc];
       length += d.r * (a.to - a.from);
-      area += 0.5 * d.r * (d.x * (std::sin(a.to) - std::sin(a.from))
-                           - d.y * (std::cos(a.to) - std::cos(a.from)) + d.r * (a.to - a.from));
+      area += 0.5 * d.r *
+          (d.x * (std::sin(a.to) - std::sin(a.from)) - d.y * (std::cos(a.to) - std::cos(a.from)) +
+           d.r * (a.to - a.from));
       const Eigen::Vector2d end = point(a, a.to);
       double nearest = std::numeric_limits<double>::max();
       for (std::size_t n = 0; n < arcs.size(); ++n) {
         const double gap = (point(arcs[n], arcs[n].from) - end).squaredNorm();
-        if (gap < nearest) { nearest = gap; k = n; }
+        if (gap < nearest) {
+          nearest = gap;
+          k = n;
+        }
       }
     }
     if (area > 0) total += length;
@@ -91,9 +101,8 @@ Clump flattened(const Clump& c, const Vector3d& n)
   Clump flat;
   for (const auto& s : c) {
     const Vector3d at(u.dot(s.x), v.dot(s.x), 0);
-    const bool seen = std::any_of(flat.begin(), flat.end(), [&](const ClumpSphere& t) {
-      return (t.x - at).norm() + s.r <= t.r * (1 + 1e-9);
-    });
+    const bool seen = std::any_of(flat.begin(), flat.end(),
+                                  [&](const ClumpSphere& t) { return (t.x - at).norm() + s.r <= t.r * (1 + 1e-9); });
     if (!seen) flat.push_back({at, s.r});
   }
   return flat;
@@ -133,21 +142,19 @@ ShapeLaw shapeLaw(const std::string& name)
   if (name == "holzerSommerfeld") return ShapeLaw::holzerSommerfeld;
   if (name == "ganser") return ShapeLaw::ganser;
   if (name == "tranCong") return ShapeLaw::tranCong;
-  throw std::invalid_argument("unknown shape law '" + name
-                              + "', must be holzerSommerfeld, ganser or tranCong");
+  throw std::invalid_argument("unknown shape law '" + name + "', must be holzerSommerfeld, ganser or tranCong");
 }
 
 double holzerSommerfeldFactor(double Re, double sphericity, double lengthwise, double crosswise)
 {
   const double stokes = 8 / std::sqrt(lengthwise) + 16 / std::sqrt(sphericity);
-  return 1 + (3 * std::sqrt(Re) / std::pow(sphericity, 0.75)
-              + holzerNewton(sphericity) * Re / crosswise) / stokes;
+  return 1 + (3 * std::sqrt(Re) / std::pow(sphericity, 0.75) + holzerNewton(sphericity) * Re / crosswise) / stokes;
 }
 
 double holzerSommerfeldDrag(double Re, double sphericity, double lengthwise, double crosswise)
 {
-  return (8 / std::sqrt(lengthwise) + 16 / std::sqrt(sphericity)) / Re
-         * holzerSommerfeldFactor(Re, sphericity, lengthwise, crosswise);
+  return (8 / std::sqrt(lengthwise) + 16 / std::sqrt(sphericity)) / Re *
+      holzerSommerfeldFactor(Re, sphericity, lengthwise, crosswise);
 }
 
 double ganserK2(double sphericity)
@@ -161,10 +168,7 @@ double ganserFactor(double Re, double K1, double K2)
   return 1 + 0.1118 * std::pow(x, 0.6567) + 0.4305 * x * x / (24 * (x + 3305));
 }
 
-double ganserDrag(double Re, double K1, double K2)
-{
-  return 24 / (Re * K1) * ganserFactor(Re, K1, K2);
-}
+double ganserDrag(double Re, double K1, double K2) { return 24 / (Re * K1) * ganserFactor(Re, K1, K2); }
 
 double tranCongFactor(double Re, double diameterRatio, double circularity)
 {
@@ -180,10 +184,12 @@ double tranCongDrag(double Re, double diameterRatio, double circularity)
 double shapeDragFactor(ShapeLaw law, double Re, const ShapeFactors& s)
 {
   switch (law) {
-    case ShapeLaw::holzerSommerfeld:
-      return holzerSommerfeldFactor(Re, s.sphericity, s.lengthwise, s.crosswise);
-    case ShapeLaw::ganser: return ganserFactor(Re, 1 / s.stokes, ganserK2(s.sphericity));
-    case ShapeLaw::tranCong: return tranCongFactor(Re, s.diameterRatio, s.circularity);
+  case ShapeLaw::holzerSommerfeld:
+    return holzerSommerfeldFactor(Re, s.sphericity, s.lengthwise, s.crosswise);
+  case ShapeLaw::ganser:
+    return ganserFactor(Re, 1 / s.stokes, ganserK2(s.sphericity));
+  case ShapeLaw::tranCong:
+    return tranCongFactor(Re, s.diameterRatio, s.circularity);
   }
   throw std::logic_error("shapeDragFactor: a law without a formula");
 }
@@ -259,8 +265,8 @@ ClumpShape::ClumpShape(const Clump& clump, double volume) : clump_(clump)
     const Shadow s = shadow(clump_, at[k]);
     const ShapeFactors exact = assemble(s.area, values[k], s.perimeter), table = factors(at[k]);
     for (ShapeLaw law : {ShapeLaw::holzerSommerfeld, ShapeLaw::tranCong})
-      fitError_ = std::max(fitError_, std::abs(shapeDragFactor(law, 100, table)
-                                               / shapeDragFactor(law, 100, exact) - 1));
+      fitError_ =
+          std::max(fitError_, std::abs(shapeDragFactor(law, 100, table) / shapeDragFactor(law, 100, exact) - 1));
   }
 }
 
@@ -274,8 +280,7 @@ ClumpShape::Place ClumpShape::place(const Vector3d& n)
   const int i = std::min(side - 2, int(p)), j = std::min(side - 2, int(q));
   const double s = p - i, t = q - j;
   const int first = (face * side + i) * side + j;
-  return {{first, first + 1, first + side, first + side + 1},
-          {(1 - s) * (1 - t), (1 - s) * t, s * (1 - t), s * t}};
+  return {{first, first + 1, first + side, first + side + 1}, {(1 - s) * (1 - t), (1 - s) * t, s * (1 - t), s * t}};
 }
 
 Vector3d ClumpShape::nodeDirection(int node)

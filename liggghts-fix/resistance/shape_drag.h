@@ -67,9 +67,9 @@ class ClumpShape {
   /// The volume is the union's unless it is given [m3].
   explicit ClumpShape(const Clump&, double volume = 0);
 
-  double volume() const { return volume_; }                ///< [m3]
-  double surface() const { return surface_; }              ///< [m2]
-  double diameter() const { return diameter_; }            ///< d_ve [m]
+  double volume() const { return volume_; }      ///< [m3]
+  double surface() const { return surface_; }    ///< [m2]
+  double diameter() const { return diameter_; }  ///< d_ve [m]
   double sphericity() const { return sphericity_; }
   /// Largest relative error that the table makes in f(100), over 120 directions.
   double fitError() const { return fitError_; }
@@ -92,8 +92,8 @@ class ClumpShape {
 
   Clump clump_;
   double volume_, surface_, diameter_, sphericity_, fitError_ = 0;
-  std::vector<double> area_, perimeter_;     ///< at the nodes
-  Eigen::Matrix<double, 6, 1> side_;         ///< quadratic form of the direction
+  std::vector<double> area_, perimeter_;  ///< at the nodes
+  Eigen::Matrix<double, 6, 1> side_;      ///< quadratic form of the direction
 };
 
 }  // namespace clay

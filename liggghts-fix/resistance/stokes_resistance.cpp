@@ -42,7 +42,10 @@ Matrix3d ownAxes(const Clump& c)
     Vector3d best = Vector3d::Zero();
     for (const auto& s : c) {
       const Vector3d d = keep * (s.x - middle);
-      if (d.norm() > reach * (1 + 1e-6)) { reach = d.norm(); best = d; }
+      if (d.norm() > reach * (1 + 1e-6)) {
+        reach = d.norm();
+        best = d;
+      }
     }
     return best;
   };
@@ -87,18 +90,23 @@ std::vector<Matrix3d> symmetries(const Clump& c)
   std::size_t first = 0, second = 0;
   double reach = 0, width = 0;
   for (std::size_t i = 0; i < c.size(); ++i)
-    if (c[i].x.norm() > reach * (1 + 1e-6)) { reach = c[i].x.norm(); first = i; }
+    if (c[i].x.norm() > reach * (1 + 1e-6)) {
+      reach = c[i].x.norm();
+      first = i;
+    }
   for (std::size_t i = 0; i < c.size() && reach > 1e-7; ++i) {
     const double w = c[first].x.normalized().cross(c[i].x).norm();
-    if (w > width * (1 + 1e-6)) { width = w; second = i; }
+    if (w > width * (1 + 1e-6)) {
+      width = w;
+      second = i;
+    }
   }
   if (width < 1e-6) {  // a point or a line: quarter turns and flips of its axes
     const Vector3d u = reach > 1e-7 ? c[first].x.normalized() : Vector3d::UnitX();
     const Matrix3d own = frame(u, u.unitOrthogonal());
     for (int p = 0; p < 6; ++p)
       for (int s = 0; s < 8; ++s) {
-        static const int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
-                                        {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+        static const int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
         Matrix3d Q = Matrix3d::Zero();
         for (int k = 0; k < 3; ++k) Q(k, order[p][k]) = (s >> k) & 1 ? -1 : 1;
         consider(own * Q * own.transpose());
@@ -147,9 +155,8 @@ std::vector<Blob> cover(const Clump& c, int frequency)
     const BlobSphere& ball = blobSphere(std::max(1, int(std::lround(frequency * s.r))));
     for (const auto& p : ball.points) {
       const Vector3d at = s.x + s.r * p;
-      const bool inside = std::any_of(c.begin(), c.end(), [&](const ClumpSphere& o) {
-        return (at - o.x).norm() < o.r * (1 - 1e-9);
-      });
+      const bool inside =
+          std::any_of(c.begin(), c.end(), [&](const ClumpSphere& o) { return (at - o.x).norm() < o.r * (1 - 1e-9); });
       if (!inside) blobs.push_back({s.x + ball.shell * s.r * p, ball.blob * s.r});
     }
   }
@@ -159,8 +166,7 @@ std::vector<Blob> cover(const Clump& c, int frequency)
 // Largest relative change of the dissipation y.R y over all motions y.
 double largestChange(const Matrix6d& before, const Matrix6d& now)
 {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(before, now,
-                                                                         Eigen::EigenvaluesOnly);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(before, now, Eigen::EigenvaluesOnly);
   return (solver.eigenvalues().array() - 1).abs().maxCoeff();
 }
 
@@ -178,8 +184,8 @@ void check(const Clump& clump)
   if (clump.empty()) throw std::invalid_argument("stokesResistance: the clump has no spheres");
   for (std::size_t i = 0; i < clump.size(); ++i)
     if (!(clump[i].r > 0) || !clump[i].x.allFinite() || !std::isfinite(clump[i].r))
-      throw std::invalid_argument("stokesResistance: sphere " + std::to_string(i + 1) + " has radius "
-                                  + std::to_string(clump[i].r) + ", must be positive and finite");
+      throw std::invalid_argument("stokesResistance: sphere " + std::to_string(i + 1) + " has radius " +
+                                  std::to_string(clump[i].r) + ", must be positive and finite");
 }
 
 // About the mean of the spheres' centres, in the clump's own axes and size.
@@ -193,9 +199,8 @@ StokesResistance refine(const Clump& c, const StokesOptions& o)
     const long unknowns = 3 * long(blobs.size());
     if (unknowns > o.maxUnknowns) {
       if (f == 1)
-        throw std::invalid_argument("stokesResistance: maxUnknowns " + std::to_string(o.maxUnknowns)
-                                    + ", the coarsest cover of this clump needs "
-                                    + std::to_string(unknowns));
+        throw std::invalid_argument("stokesResistance: maxUnknowns " + std::to_string(o.maxUnknowns) +
+                                    ", the coarsest cover of this clump needs " + std::to_string(unknowns));
       break;
     }
     const Matrix6d raw = blobResistance(blobs, Vector3d::Zero());
@@ -234,8 +239,7 @@ StokesResistance stokesResistance(const Clump& clump, const Vector3d& about, con
   }
   const Matrix3d axes = ownAxes(outer);
   Clump own = outer;
-  std::vector<double> key{o.tolerance, double(o.maxUnknowns), double(o.maxFrequency),
-                          double(o.extrapolate)};
+  std::vector<double> key{o.tolerance, double(o.maxUnknowns), double(o.maxFrequency), double(o.extrapolate)};
   for (auto& s : own) {
     s.x = axes.transpose() * (s.x - middle) / unit;
     s.r /= unit;
@@ -277,9 +281,6 @@ double volumeDragRatio(const Matrix6d& R, double volume, const Vector3d& n)
   return u.dot(R.topLeftCorner<3, 3>() * u) / (6 * pi * std::cbrt(0.75 * volume / pi));
 }
 
-double meanResistance(const Matrix6d& R)
-{
-  return 3 / R.inverse().topLeftCorner<3, 3>().trace();
-}
+double meanResistance(const Matrix6d& R) { return 3 / R.inverse().topLeftCorner<3, 3>().trace(); }
 
 }  // namespace clay

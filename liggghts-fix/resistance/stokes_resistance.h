@@ -13,17 +13,17 @@ namespace clay {
 
 /// How far the resistance is refined.
 struct StokesOptions {
-  double tolerance = 3e-3;   ///< largest relative change from one level to the next
-  int maxUnknowns = 6000;    ///< of the dense solve; memory is 8 bytes times its square
-  int maxFrequency = 8;      ///< of the largest sphere's blobs
-  bool extrapolate = true;   ///< over the last two levels, second order in the blobs' spacing
+  double tolerance = 3e-3;  ///< largest relative change from one level to the next
+  int maxUnknowns = 6000;   ///< of the dense solve; memory is 8 bytes times its square
+  int maxFrequency = 8;     ///< of the largest sphere's blobs
+  bool extrapolate = true;  ///< over the last two levels, second order in the blobs' spacing
 };
 
 /// One step of the refinement.
 struct StokesLevel {
-  int frequency = 0;   ///< of the largest sphere's blobs
-  int blobs = 0;       ///< in all
-  double change = 0;   ///< relative, from the level before, in the worst direction; 1 at first
+  int frequency = 0;  ///< of the largest sphere's blobs
+  int blobs = 0;      ///< in all
+  double change = 0;  ///< relative, from the level before, in the worst direction; 1 at first
 };
 
 /// Resistance for unit viscosity and its convergence.
@@ -42,8 +42,7 @@ struct StokesResistance {
 /// Throws std::invalid_argument on a clump without spheres, with a radius that
 /// is not positive, or too large for maxUnknowns. Kept in memory: the same
 /// clump is computed once.
-StokesResistance stokesResistance(const Clump&, const Eigen::Vector3d& about,
-                                  const StokesOptions& = {});
+StokesResistance stokesResistance(const Clump&, const Eigen::Vector3d& about, const StokesOptions& = {});
 
 /// The tensor in other axes; the columns of Q are the old axes in the new ones.
 Matrix6d rotated(const Matrix6d& R, const Eigen::Matrix3d& Q);

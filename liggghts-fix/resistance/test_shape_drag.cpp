@@ -52,14 +52,13 @@ TEST(ShapeDrag, HasTheFormulasValues)
   EXPECT_NEAR(holzerSommerfeldDrag(100, 1, 1, 1), 0.08 + 0.16 + 0.3 + 0.42, 1e-12);
   // sphericity 0.1: log is -1, so the last term is 0.42 x 10^0.4 / crosswise
   EXPECT_NEAR(holzerSommerfeldDrag(100, 0.1, 0.25, 0.5),
-              0.16 + 0.16 / std::sqrt(0.1) + 0.3 / std::pow(0.1, 0.75) + 0.84 * std::pow(10, 0.4),
-              1e-12);
+              0.16 + 0.16 / std::sqrt(0.1) + 0.3 / std::pow(0.1, 0.75) + 0.84 * std::pow(10, 0.4), 1e-12);
   EXPECT_NEAR(ganserDrag(100, 1, 1), 0.24 * (1 + 0.1118 * std::pow(100, 0.6567)) + 0.4305 / 34.05, 1e-12);
   EXPECT_NEAR(ganserK2(0.1), std::pow(10, 1.8148), 1e-10);
   EXPECT_EQ(ganserK2(1), 1);
   EXPECT_NEAR(tranCongDrag(50, 1.2, 0.64),
-              24.0 / 50 * 1.2 * (1 + 0.15 / 0.8 * std::pow(60, 0.687))
-                  + 0.42 * 1.44 / (0.8 * (1 + 4.25e4 * std::pow(60, -1.16))),
+              24.0 / 50 * 1.2 * (1 + 0.15 / 0.8 * std::pow(60, 0.687)) +
+                  0.42 * 1.44 / (0.8 * (1 + 4.25e4 * std::pow(60, -1.16))),
               1e-12);
 }
 
@@ -137,8 +136,7 @@ TEST(ClumpShape, OfASphereIsThatOfASphere)
   const ClumpShape s({{Vector3d(1, 2, 3), 2e-3}});
   EXPECT_NEAR(s.diameter(), 4e-3, 1e-12);
   const ShapeFactors f = s.factors(Vector3d(1, -2, 0.3));
-  for (double v : {f.sphericity, f.crosswise, f.lengthwise, f.circularity, f.diameterRatio})
-    EXPECT_NEAR(v, 1, 1e-5);
+  for (double v : {f.sphericity, f.crosswise, f.lengthwise, f.circularity, f.diameterRatio}) EXPECT_NEAR(v, 1, 1e-5);
 }
 
 TEST(ClumpShape, OfAPlateIsTheExactOneAlongItsAxesAndNearItElsewhere)

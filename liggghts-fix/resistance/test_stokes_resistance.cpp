@@ -52,16 +52,12 @@ std::vector<Case> cases()
       {"dimer", spheres({{0, 0, 1}, {0, 0, -1}}), 1.4490, 1.2905, 1.3920},
       {"chain3", spheres({{0, 0, 2}, {0, 0, 0}, {0, 0, -2}}), 1.8396, 1.5417, 1.7283},
       {"triangle3", spheres({{0, 2 * h, 0}, {1, -h, 0}, {-1, -h, 0}}), 1.5771, 1.7241, 1.6232},
-      {"tetrahedron4", spheres({{q, q, q}, {q, -q, -q}, {-q, q, -q}, {-q, -q, q}}),
-       1.7841, 1.7841, 1.7841},
+      {"tetrahedron4", spheres({{q, q, q}, {q, -q, -q}, {-q, q, -q}, {-q, -q, q}}), 1.7841, 1.7841, 1.7841},
       {"hexplate7", hexagon(), 2.1748, 2.5346, 2.2828},
   };
 }
 
-Matrix3d someTurn()
-{
-  return Eigen::AngleAxisd(1.1, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
-}
+Matrix3d someTurn() { return Eigen::AngleAxisd(1.1, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix(); }
 
 Clump turned(Clump c, const Matrix3d& Q, const Vector3d& shift)
 {
@@ -69,10 +65,7 @@ Clump turned(Clump c, const Matrix3d& Q, const Vector3d& shift)
   return c;
 }
 
-Clump lopsided()
-{
-  return {{{0, 0, 0}, 1}, {{1.3, 0.2, 0}, 0.6}, {{-0.3, 1.1, 0.4}, 0.5}, {{0, -0.2, 1.4}, 0.8}};
-}
+Clump lopsided() { return {{{0, 0, 0}, 1}, {{1.3, 0.2, 0}, 0.6}, {{-0.3, 1.1, 0.4}, 0.5}, {{0, -0.2, 1.4}, 0.8}}; }
 
 }  // namespace
 
@@ -94,7 +87,10 @@ TEST(Icosphere, HasItsPointsAndNoMeanDirection)
     const auto p = icosphere(f);
     EXPECT_EQ(p.size(), std::size_t(10 * f * f + 2));
     Vector3d sum = Vector3d::Zero();
-    for (const auto& x : p) { sum += x; EXPECT_NEAR(x.norm(), 1, 1e-14); }
+    for (const auto& x : p) {
+      sum += x;
+      EXPECT_NEAR(x.norm(), 1, 1e-14);
+    }
     EXPECT_LT(sum.norm(), 1e-12);
   }
 }
@@ -189,7 +185,10 @@ TEST(StokesResistance, DoesNotDependOnTheOrderOfTheSpheres)
 TEST(StokesResistance, ScalesWithTheSize)
 {
   Clump small = lopsided();
-  for (auto& s : small) { s.x *= 1e-3; s.r *= 1e-3; }
+  for (auto& s : small) {
+    s.x *= 1e-3;
+    s.r *= 1e-3;
+  }
   const Matrix6d R = stokesResistance(lopsided(), Vector3d::Zero(), {0.01}).R;
   const Matrix6d S = stokesResistance(small, Vector3d::Zero(), {0.01}).R;
   EXPECT_LT((S.topLeftCorner(3, 3) * 1e3 - R.topLeftCorner(3, 3)).norm(), 1e-7 * R.norm());
@@ -254,8 +253,7 @@ TEST(StokesResistance, SaysWhatIsWrong)
 {
   EXPECT_THROW(stokesResistance({}, Vector3d::Zero()), std::invalid_argument);
   EXPECT_THROW(stokesResistance({{Vector3d::Zero(), -1}}, Vector3d::Zero()), std::invalid_argument);
-  EXPECT_THROW(stokesResistance({{Vector3d::Zero(), 1}}, Vector3d::Zero(), {3e-3, 20}),
-               std::invalid_argument);
+  EXPECT_THROW(stokesResistance({{Vector3d::Zero(), 1}}, Vector3d::Zero(), {3e-3, 20}), std::invalid_argument);
   const auto capped = stokesResistance(hexagon(), Vector3d::Zero(), {1e-9, 900});
   EXPECT_FALSE(capped.converged);
   EXPECT_NE(capped.report().find("not converged"), std::string::npos);

@@ -63,13 +63,13 @@ class FixRestBed : public Fix {
   double seconds_, fluid_;
   clay::RestLimits limits_;
   clay::RestWatch watch_;
-  clay::RestTrack *tracks_;           // of each atom
+  clay::RestTrack *tracks_;  // of each atom
 
-  bool able_;            // all of the script's fixes keep still when nothing moves
+  bool able_;                         // all of the script's fixes keep still when nothing moves
   double gravity_[3] = {0., 0., 0.};  // as last found
   double up_[3] = {0., 0., 0.};       // against it
   bigint window_, next_;
-  bool looked_;          // in this run
+  bool looked_;  // in this run
   bigint skipped_, left_out_, wakings_;
 };
 

@@ -12,10 +12,7 @@ double length(const double a[3]) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + 
 
 }  // namespace
 
-void RestTrack::create()
-{
-  *this = RestTrack();
-}
+void RestTrack::create() { *this = RestTrack(); }
 
 double RestTrack::moved2(const double *x) const
 {
@@ -79,15 +76,9 @@ void RestTrack::charge(int n, double left_out)
 /* ---------------------------------------------------------------------- */
 
 // of this rest
-double RestWatch::here() const
-{
-  return computed_ > 0 ? (mean_ - first_) / computed_ * left_out_ : 0;
-}
+double RestWatch::here() const { return computed_ > 0 ? (mean_ - first_) / computed_ * left_out_ : 0; }
 
-double RestWatch::missed() const
-{
-  return std::fabs(missed_ + here());
-}
+double RestWatch::missed() const { return std::fabs(missed_ + here()); }
 
 void RestWatch::wake()
 {

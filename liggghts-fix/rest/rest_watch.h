@@ -66,19 +66,19 @@ class RestWatch {
   void wake();
 
   bool resting() const { return quiet_ > 0; }
-  int computed() const { return computed_; }               ///< windows of this rest
-  double left_out() const { return left_out_ + out_; }     ///< likewise
-  double missed() const;                                   ///< estimate of what the mean height missed [m]
+  int computed() const { return computed_; }            ///< windows of this rest
+  double left_out() const { return left_out_ + out_; }  ///< likewise
+  double missed() const;                                ///< estimate of what the mean height missed [m]
 
  private:
   double here() const;
 
   RestLimits limits_;
   int quiet_ = 0, row_ = 1, computed_ = 0;
-  double out_ = 0;                      // windows left out before the next computed one
-  double first_ = 0, mean_ = 0;         // mean height at rest's beginning, and now [m]
-  double left_out_ = 0;                 // windows since
-  double missed_ = 0;                   // in the rests before, downwards < 0 [m]
+  double out_ = 0;               // windows left out before the next computed one
+  double first_ = 0, mean_ = 0;  // mean height at rest's beginning, and now [m]
+  double left_out_ = 0;          // windows since
+  double missed_ = 0;            // in the rests before, downwards < 0 [m]
 };
 
 }  // namespace clay

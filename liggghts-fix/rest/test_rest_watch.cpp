@@ -110,7 +110,7 @@ TEST(RestWatch, stopsWhenTheHeightHasMissedTooMuch)
 {
   RestLimits limits;
   limits.quiet = 1;
-  limits.error = 1e-2;   // of 0.5 m: 5 mm
+  limits.error = 1e-2;  // of 0.5 m: 5 mm
   RestWatch w;
   w.restart(limits);
   double mean = 0.5;

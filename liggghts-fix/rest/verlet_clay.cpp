@@ -19,7 +19,7 @@ using namespace LAMMPS_NS;
 
 /* ---------------------------------------------------------------------- */
 
-VerletClay::VerletClay(LAMMPS *lmp) : Verlet(lmp,0,NULL), rest_(NULL), fluid_(NULL) {}
+VerletClay::VerletClay(LAMMPS *lmp) : Verlet(lmp, 0, NULL), rest_(NULL), fluid_(NULL) {}
 
 /* ----------------------------------------------------------------------
    window by window: computed ones by verlet, the others as the bed allows
@@ -29,18 +29,18 @@ void VerletClay::run(int n)
 {
   const bigint end = update->ntimestep + n;
   // at each run: 'run pre no' after 'unfix' has no init
-  rest_ = dynamic_cast<FixRestBed*>(modify->find_fix_style("rest/bed",0));
-  fluid_ = dynamic_cast<FixCoupleFoam*>(modify->find_fix_style("couple/foam",0));
+  rest_ = dynamic_cast<FixRestBed *>(modify->find_fix_style("rest/bed", 0));
+  fluid_ = dynamic_cast<FixCoupleFoam *>(modify->find_fix_style("couple/foam", 0));
   if (!rest_ || !rest_->begin(n)) {
     Verlet::run(n);
     return;
   }
   while (update->ntimestep < end) {
-    const bigint due = std::min(end,rest_->next_look());
+    const bigint due = std::min(end, rest_->next_look());
     Verlet::run(static_cast<int>(due - update->ntimestep));
-    if (update->ntimestep < due) return;   // asked to quit
+    if (update->ntimestep < due) return;  // asked to quit
     const bigint still = rest_->look();
-    if (still) pass(std::min(end,update->ntimestep + still));
+    if (still) pass(std::min(end, update->ntimestep + still));
     if (SignalHandler::request_quit && !SignalHandler::request_write_restart) return;
   }
 }

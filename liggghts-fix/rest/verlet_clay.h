@@ -21,8 +21,8 @@ class VerletClay : public Verlet {
   void pass(bigint end);
   bool inserts(bigint step) const;
 
-  class FixRestBed *rest_;     // null: plain verlet
-  class FixCoupleFoam *fluid_; // null without a fluid
+  class FixRestBed *rest_;      // null: plain verlet
+  class FixCoupleFoam *fluid_;  // null without a fluid
 };
 
 }

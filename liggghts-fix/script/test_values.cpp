@@ -33,7 +33,8 @@ TEST(ScriptValues, numbers)
     EXPECT_EQ(refusal([&] { positiveNumber("height", text); }),
               std::string("height is '") + text + "'; it must be a number greater than 0");
   }
-  for (const char* text : {"0", "-1", "-1e-300"}) EXPECT_NE(refusal([&] { positiveNumber("height", text); }), "") << text;
+  for (const char* text : {"0", "-1", "-1e-300"})
+    EXPECT_NE(refusal([&] { positiveNumber("height", text); }), "") << text;
   for (const char* text : {"0", "1", "1.5", "-0.1", "nan"})
     EXPECT_EQ(refusal([&] { fraction("share", text); }),
               std::string("share is '") + text + "'; it must be a number greater than 0 and below 1");

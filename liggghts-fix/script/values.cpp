@@ -55,7 +55,8 @@ double fraction(const std::string& name, const std::string& text)
 long wholeNumber(const std::string& name, const std::string& text, long least)
 {
   long value;
-  if (!isWhole(text, value) || value < least) refuse(name, text, "a whole number of " + std::to_string(least) + " or more");
+  if (!isWhole(text, value) || value < least)
+    refuse(name, text, "a whole number of " + std::to_string(least) + " or more");
   return value;
 }
 

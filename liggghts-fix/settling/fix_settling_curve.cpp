@@ -32,10 +32,10 @@ using namespace FixConst;
 
 /* ---------------------------------------------------------------------- */
 
-FixSettlingCurve::FixSettlingCurve(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg),
-  file_(NULL), scale_(9.49e5), quantile_(0.98), bed_fraction_(0.2), area_(0.0), bottom_(0.0),
-  area_given_(false), bottom_given_(false), multisphere_(NULL), diameter_(0.0),
-  measured_(-1), written_(-1), interface_(0.0), bed_(0.0), mean_(0.0), overlap_(0.0), volume_(0.0)
+FixSettlingCurve::FixSettlingCurve(LAMMPS *lmp, int narg, char **arg) :
+  Fix(lmp, narg, arg), file_(NULL), scale_(9.49e5), quantile_(0.98), bed_fraction_(0.2), area_(0.0), bottom_(0.0),
+  area_given_(false), bottom_given_(false), multisphere_(NULL), diameter_(0.0), measured_(-1), written_(-1),
+  interface_(0.0), bed_(0.0), mean_(0.0), overlap_(0.0), volume_(0.0)
 {
   bool append = false;
   try {
@@ -75,20 +75,27 @@ void FixSettlingCurve::parse(int narg, char **arg, bool &append)
   nevery = static_cast<int>(clay::wholeNumber("the number of steps between two rows", arg[3], 1, INT_MAX));
   for (int iarg = 4; iarg < narg; iarg += 2) {
     const std::string key = arg[iarg];
-    if (iarg+1 == narg) throw std::invalid_argument("keyword '" + key + "' needs a value");
-    const char *value = arg[iarg+1];
-    if (key == "file" || key == "append") { append = key == "append"; name_ = value; }
-    else if (key == "scale") scale_ = clay::positiveNumber(key, value);
+    if (iarg + 1 == narg) throw std::invalid_argument("keyword '" + key + "' needs a value");
+    const char *value = arg[iarg + 1];
+    if (key == "file" || key == "append") {
+      append = key == "append";
+      name_ = value;
+    } else if (key == "scale") scale_ = clay::positiveNumber(key, value);
     else if (key == "quantile") {
       quantile_ = clay::number(key, value);
       if (!(quantile_ > 0.1 && quantile_ <= 1.0))
         throw std::invalid_argument("quantile is '" + std::string(value) + "'; it must be above 0.1 and at most 1");
-    }
-    else if (key == "bed_fraction") bed_fraction_ = clay::fraction(key, value);
-    else if (key == "area") { area_ = clay::positiveNumber(key, value); area_given_ = true; }
-    else if (key == "bottom") { bottom_ = clay::number(key, value); bottom_given_ = true; }
-    else throw std::invalid_argument("unknown keyword '" + key + "'; known are file, append, scale, quantile, "
-                                     "bed_fraction, area and bottom");
+    } else if (key == "bed_fraction") bed_fraction_ = clay::fraction(key, value);
+    else if (key == "area") {
+      area_ = clay::positiveNumber(key, value);
+      area_given_ = true;
+    } else if (key == "bottom") {
+      bottom_ = clay::number(key, value);
+      bottom_given_ = true;
+    } else
+      throw std::invalid_argument("unknown keyword '" + key +
+                                  "'; known are file, append, scale, quantile, "
+                                  "bed_fraction, area and bottom");
   }
   if (name_.empty()) throw std::invalid_argument("'file' is missing: the name of the curve's file");
 }
@@ -103,18 +110,17 @@ void FixSettlingCurve::init()
 {
   if (!atom->radius_flag || !atom->rmass_flag)
     error->fix_error(FLERR, this, "needs spheres: atom_style sphere or granular");
-  if (modify->n_fixes_style("multisphere") > 1)
-    error->fix_error(FLERR, this, "at most one fix multisphere");
+  if (modify->n_fixes_style("multisphere") > 1) error->fix_error(FLERR, this, "at most one fix multisphere");
   multisphere_ = static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0));
 
   double largest = 0.0, smallest = 0.0, mine = 0.0, all = 0.0;
   modify->max_min_rad(largest, smallest);
   for (int i = 0; i < atom->nlocal; i++) mine = std::max(mine, atom->radius[i]);
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  diameter_ = 2.0*std::max(largest, all);
+  diameter_ = 2.0 * std::max(largest, all);
 
   find_column();
-  const double thickness = diameter_ > 0.0 ? diameter_/8.0 : domain->zprd/1000.0;
+  const double thickness = diameter_ > 0.0 ? diameter_ / 8.0 : domain->zprd / 1000.0;
   profile_.reset(new clay::SettlingProfile(bottom_, domain->boxhi[2], thickness));
   measured_ = -1;
 }
@@ -125,7 +131,7 @@ void FixSettlingCurve::init()
 
 void FixSettlingCurve::find_column()
 {
-  if (!area_given_) area_ = domain->xprd*domain->yprd;
+  if (!area_given_) area_ = domain->xprd * domain->yprd;
   if (!bottom_given_) bottom_ = domain->boxlo[2];
 
   double floor = domain->boxhi[2];
@@ -133,18 +139,18 @@ void FixSettlingCurve::find_column()
     PrimitiveWall *primitive = wall->primitiveWall();
     double to_wall[3] = {0.0, 0.0, 0.0}, from_axis[3];
     if (primitive->axis() == 2) {
-      double inside[3] = { domain->boxlo[0] + 0.5123*domain->xprd, domain->boxlo[1] + 0.4871*domain->yprd, 0.0 };
+      double inside[3] = {domain->boxlo[0] + 0.5123 * domain->xprd, domain->boxlo[1] + 0.4871 * domain->yprd, 0.0};
       const double r = primitive->calcRadialDistance(inside, from_axis);
       const double radius = r + primitive->resolveContact(inside, 0.0, to_wall);
-      if (!area_given_) area_ = M_PI*radius*radius;
+      if (!area_given_) area_ = M_PI * radius * radius;
     } else if (primitive->axis() < 0) {
       double middle[3];
-      for (int d = 0; d < 3; d++) middle[d] = 0.5*(domain->boxlo[d] + domain->boxhi[d]);
+      for (int d = 0; d < 3; d++) middle[d] = 0.5 * (domain->boxlo[d] + domain->boxhi[d]);
       primitive->resolveContact(middle, 0.0, to_wall);
       if (to_wall[0] == 0.0 && to_wall[1] == 0.0) floor = std::min(floor, middle[2] + to_wall[2]);
     }
   }
-  if (!bottom_given_ && floor < 0.5*(domain->boxlo[2] + domain->boxhi[2])) bottom_ = floor;
+  if (!bottom_given_ && floor < 0.5 * (domain->boxlo[2] + domain->boxhi[2])) bottom_ = floor;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -152,9 +158,9 @@ void FixSettlingCurve::find_column()
 double FixSettlingCurve::sphere_volume(int i) const
 {
   if (multisphere_ && multisphere_->belongs_to(i) >= 0 && multisphere_->get_volumeweight())
-    return multisphere_->get_volumeweight()->vector_atom[i]*atom->rmass[i]/atom->density[i];
+    return multisphere_->get_volumeweight()->vector_atom[i] * atom->rmass[i] / atom->density[i];
   const double r = atom->radius[i];
-  return 4.0/3.0*M_PI*r*r*r;
+  return 4.0 / 3.0 * M_PI * r * r * r;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -181,8 +187,8 @@ void FixSettlingCurve::measure()
 
   volume_ = profile_->volume();
   const bool solids = volume_ > 0.0;
-  interface_ = solids ? profile_->interface(quantile_, 0.5*diameter_) - bottom_ : 0.0;
-  bed_ = solids ? profile_->bed(area_, bed_fraction_, 2.0*diameter_) - bottom_ : 0.0;
+  interface_ = solids ? profile_->interface(quantile_, 0.5 * diameter_) - bottom_ : 0.0;
+  bed_ = solids ? profile_->bed(area_, bed_fraction_, 2.0 * diameter_) - bottom_ : 0.0;
   mean_ = solids ? profile_->mean() - bottom_ : 0.0;
 }
 
@@ -192,7 +198,7 @@ void FixSettlingCurve::write_row()
   written_ = update->ntimestep;
   if (comm->me != 0) return;
   const double time = update->get_cur_time();
-  fprintf(file_, "%.9g,%.9g,%.9g,%.9g,%.9g\n", time, time*scale_/86400.0, interface_, bed_, mean_);
+  fprintf(file_, "%.9g,%.9g,%.9g,%.9g,%.9g\n", time, time * scale_ / 86400.0, interface_, bed_, mean_);
   fflush(file_);
   if (ferror(file_)) error->one(FLERR, ("Fix settling/curve: cannot write to " + name_).c_str());
 }
@@ -206,11 +212,16 @@ double FixSettlingCurve::compute_vector(int n)
 {
   if (measured_ != update->ntimestep) measure();
   switch (n) {
-    case 0: return interface_;
-    case 1: return bed_;
-    case 2: return mean_;
-    case 3: return largest_overlap();
-    default: return volume_;
+  case 0:
+    return interface_;
+  case 1:
+    return bed_;
+  case 2:
+    return mean_;
+  case 3:
+    return largest_overlap();
+  default:
+    return volume_;
   }
 }
 
@@ -225,8 +236,8 @@ double FixSettlingCurve::largest_overlap() const
       const int i = list->ilist[a];
       for (int b = 0; b < list->numneigh[i]; b++) {
         const int j = list->firstneigh[i][b] & NEIGHMASK;
-        const double d[3] = { x[i][0]-x[j][0], x[i][1]-x[j][1], x[i][2]-x[j][2] };
-        mine = std::max(mine, atom->radius[i] + atom->radius[j] - std::sqrt(d[0]*d[0]+d[1]*d[1]+d[2]*d[2]));
+        const double d[3] = {x[i][0] - x[j][0], x[i][1] - x[j][1], x[i][2] - x[j][2]};
+        mine = std::max(mine, atom->radius[i] + atom->radius[j] - std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
       }
     }
   }
@@ -236,5 +247,5 @@ double FixSettlingCurve::largest_overlap() const
       if (atom->mask[i] & wall->groupbit)
         mine = std::max(mine, -wall->primitiveWall()->resolveContact(x[i], atom->radius[i], to_wall));
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  return diameter_ > 0.0 ? all/diameter_ : 0.0;
+  return diameter_ > 0.0 ? all / diameter_ : 0.0;
 }

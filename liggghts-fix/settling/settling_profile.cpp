@@ -29,9 +29,7 @@ void SettlingProfile::clear() { std::fill(sums_.begin(), sums_.end(), 0.0); }
 void SettlingProfile::add(double z, double r, double volume)
 {
   sums_.back() += volume * z;
-  const auto bin = [this](double h) {
-    return static_cast<int>(std::clamp((h - lo_) * per_width_, 0.0, bins() - 1.0));
-  };
+  const auto bin = [this](double h) { return static_cast<int>(std::clamp((h - lo_) * per_width_, 0.0, bins() - 1.0)); };
   const int first = bin(z - r), last = bin(z + r);
   const double per_radius = 1 / r;
   double before = 0;
@@ -80,15 +78,12 @@ double SettlingProfile::bed(double area, double threshold, double window) const
   for (int k = 0; k < bins(); ++k) cumulated_.push_back(cumulated_.back() + sums_[k]);
 
   const double top = lo_ + bins() * width_;
-  const auto fraction = [&](double h) {
-    return (below(h + 0.5 * window) - below(h - 0.5 * window)) / (area * window);
-  };
+  const auto fraction = [&](double h) { return (below(h + 0.5 * window) - below(h - 0.5 * window)) / (area * window); };
   double lower = fraction(lo_ + 0.5 * window);
   if (lower < threshold) return lo_;
   for (double h = lo_ + 0.5 * window + width_; h <= top; h += width_) {
     const double upper = fraction(h);
-    if (upper < threshold)
-      return h - width_ * (threshold - upper) / (lower - upper);
+    if (upper < threshold) return h - width_ * (threshold - upper) / (lower - upper);
     lower = upper;
   }
   return top;

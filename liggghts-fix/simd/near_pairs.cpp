@@ -6,8 +6,7 @@
 
 namespace clay {
 
-void near_pairs(const double *const *x, const double *reach, int owned, int n,
-                std::vector<std::pair<int, int>> &pairs)
+void near_pairs(const double *const *x, const double *reach, int owned, int n, std::vector<std::pair<int, int>> &pairs)
 {
   pairs.clear();
   if (owned == 0) return;
@@ -26,9 +25,7 @@ void near_pairs(const double *const *x, const double *reach, int owned, int n,
   size = std::max(size, std::cbrt(volume / (8.0 * n)));
   int cells[3];
   for (int k = 0; k < 3; k++) cells[k] = static_cast<int>((hi[k] - lo[k]) / size) + 1;
-  const auto cell = [&](int i, int k) {
-    return std::min(cells[k] - 1, static_cast<int>((x[i][k] - lo[k]) / size));
-  };
+  const auto cell = [&](int i, int k) { return std::min(cells[k] - 1, static_cast<int>((x[i][k] - lo[k]) / size)); };
 
   std::vector<int> first(static_cast<std::size_t>(cells[0]) * cells[1] * cells[2], -1), next(n);
   for (int i = n - 1; i >= 0; i--) {

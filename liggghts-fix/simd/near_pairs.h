@@ -11,8 +11,7 @@ namespace clay {
 
 /// Pairs i < j with |xi - xj| < reach_i + reach_j [m] of which i is among the first `owned`
 /// of n points: each pair of owned points once, and each owned point with each other one.
-void near_pairs(const double *const *x, const double *reach, int owned, int n,
-                std::vector<std::pair<int, int>> &pairs);
+void near_pairs(const double *const *x, const double *reach, int owned, int n, std::vector<std::pair<int, int>> &pairs);
 
 }  // namespace clay
 

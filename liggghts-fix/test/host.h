@@ -108,9 +108,11 @@ class Host {
 inline std::string opening(const std::string &boundary, const std::string &box)
 {
   return "atom_style granular\natom_modify map array\nnewton off\nboundary " + boundary +
-         "\nunits si\ncommunicate single vel yes\nprocessors * * *\n"
-         "region box block " + box + " units box\ncreate_box 2 box\n"
-         "neighbor 0.0005 bin\nneigh_modify delay 0\n";
+      "\nunits si\ncommunicate single vel yes\nprocessors * * *\n"
+      "region box block " +
+      box +
+      " units box\ncreate_box 2 box\n"
+      "neighbor 0.0005 bin\nneigh_modify delay 0\n";
 }
 
 inline std::string material(const std::string &style)
@@ -120,20 +122,22 @@ inline std::string material(const std::string &style)
          "fix m3 all property/global coefficientRestitution peratomtypepair 2 0.3 0.3 0.3 0.3\n"
          "fix m4 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
          "fix m5 all property/global characteristicVelocity scalar 0.1\n"
-         "pair_style hybrid/overlay gran model hooke tangential history " + style +
-         "\npair_coeff * * gran\n";
+         "pair_style hybrid/overlay gran model hooke tangential history " +
+      style + "\npair_coeff * * gran\n";
 }
 
 /// Clumps of both kinds, n of them, at random in region `ins`.
 inline std::string clumps(int n, const std::string &more = "")
 {
-  return "fix ill all particletemplate/clay illite seed 15485863 type 1 atom_types 1 2 radius 1e-3 density 2600 " + more +
-         "\nfix kao all particletemplate/clay kaolinite seed 15485867 type 2 atom_types 1 2 radius 1e-3 density 2600 " + more +
-         "\nfix pdd all particledistribution/discrete 32452843 2 ill 0.5 kao 0.5\n"
-         "fix ms all multisphere\n"
-         "fix ins all insert/pack seed 49979687 distributiontemplate pdd insert_every once overlapcheck yes "
-         "orientation random all_in yes maxattempt 400 vel constant 0 0 0 region ins particles_in_region " +
-         std::to_string(n) + " ntry_mc 10000\n";
+  return "fix ill all particletemplate/clay illite seed 15485863 type 1 atom_types 1 2 radius 1e-3 density 2600 " +
+      more +
+      "\nfix kao all particletemplate/clay kaolinite seed 15485867 type 2 atom_types 1 2 radius 1e-3 density 2600 " +
+      more +
+      "\nfix pdd all particledistribution/discrete 32452843 2 ill 0.5 kao 0.5\n"
+      "fix ms all multisphere\n"
+      "fix ins all insert/pack seed 49979687 distributiontemplate pdd insert_every once overlapcheck yes "
+      "orientation random all_in yes maxattempt 400 vel constant 0 0 0 region ins particles_in_region " +
+      std::to_string(n) + " ntry_mc 10000\n";
 }
 
 }  // namespace test

@@ -30,11 +30,9 @@ std::string cloud(int side, double dt, bool one_by_one = false)
     for (int n = 0; n < side * side * side; n++)
       r << "create_atoms 1 single " << apart * (0.5 + n % side) << ' ' << apart * (0.5 + n / side % side) << ' '
         << apart * (0.5 + n / side / side) << " units box\n";
-  else
-    r << "lattice sc " << apart << "\ncreate_atoms 1 box\n";
-  r << "set group all diameter " << 2 * a
-    << "\nset group all density 2600\nfix b all brownian temperature " << T << " seed 5 viscosity " << mu
-    << "\nfix nve all nve/sphere\ntimestep " << dt << "\n";
+  else r << "lattice sc " << apart << "\ncreate_atoms 1 box\n";
+  r << "set group all diameter " << 2 * a << "\nset group all density 2600\nfix b all brownian temperature " << T
+    << " seed 5 viscosity " << mu << "\nfix nve all nve/sphere\ntimestep " << dt << "\n";
   return text + test::material("") + r.str();
 }
 
@@ -97,8 +95,8 @@ TEST(FixBrownian, bodiesDiffuseAsTheirSpheresTogether)
 {
   // the random force on a body: of variance 2 kT/dt times the sum of its spheres' K
   Host host;
-  host(test::opening("p p p", "-0.012 0.012 -0.012 0.012 0 0.048") + "region ins block -0.012 0.012 -0.012 0.012 0 0.048 units box\n" +
-       test::material("") + test::clumps(100) +
+  host(test::opening("p p p", "-0.012 0.012 -0.012 0.012 0 0.048") +
+       "region ins block -0.012 0.012 -0.012 0.012 0 0.048 units box\n" + test::material("") + test::clumps(100) +
        "fix b all brownian temperature 300 seed 3 viscosity 1e-3\ntimestep 1e-5\nrun 0\n");
   double square = 0;
   int count = 0;

@@ -23,10 +23,11 @@ const char *file = "placed.txt";
 std::string column(const std::string &bodies = "multisphere")
 {
   return test::opening("f f f", "-0.0165 0.0165 -0.0165 0.0165 -0.001 0.151") + test::material("coul/clump 0.006") +
-         "pair_coeff * * coul/clump 0.0\n"
-         "fix ill all particletemplate/clay illite seed 15485863 type 1 atom_types 1 2 radius 1e-3 density 2600\n"
-         "fix kao all particletemplate/clay kaolinite seed 15485867 type 2 atom_types 1 2 radius 1e-3 density 2600\n"
-         "fix ms all " + bodies + "\ntimestep 1e-6\n";
+      "pair_coeff * * coul/clump 0.0\n"
+      "fix ill all particletemplate/clay illite seed 15485863 type 1 atom_types 1 2 radius 1e-3 density 2600\n"
+      "fix kao all particletemplate/clay kaolinite seed 15485867 type 2 atom_types 1 2 radius 1e-3 density 2600\n"
+      "fix ms all " +
+      bodies + "\ntimestep 1e-6\n";
 }
 
 const char *placed = "fix put all insert/placed file placed.txt templates ill kao\n";
@@ -157,7 +158,8 @@ TEST(FixInsertPlaced, contactsOutliveALaterList)
          "set group all diameter 2e-3 density 2600\ngroup upper id 2\nvelocity upper set 0.01 0 0 units box\n"
          "fix nve all nve/sphere\ntimestep 1e-6\nrun 20\n");
     if (more) {
-      if (rank == 0) std::ofstream(file) << "s 0.01 0.01 0.01\ns 0.01 -0.01 0.01\ns -0.01 -0.01 0.01\ns -0.01 0.01 0.14\n";
+      if (rank == 0)
+        std::ofstream(file) << "s 0.01 0.01 0.01\ns 0.01 -0.01 0.01\ns -0.01 -0.01 0.01\ns -0.01 0.01 0.14\n";
       MPI_Barrier(MPI_COMM_WORLD);
       host("fix s all particletemplate/sphere 15485863 atom_type 1 density constant 2600 radius constant 1e-3\n"
            "fix put all insert/placed file placed.txt templates s\n");
@@ -196,8 +198,8 @@ TEST(FixInsertPlaced, aRestartedRunHasItsParticlesAlready)
 {
   spheres("grain 0.01 0.02 0.03\ngrain 0.07 0.08 0.09\n");
   const std::string put =
-    "fix grain all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 1e-3\n"
-    "fix put all insert/placed file placed.txt templates grain\nfix n all nve/sphere\ntimestep 1e-6\n";
+      "fix grain all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 1e-3\n"
+      "fix put all insert/placed file placed.txt templates grain\nfix n all nve/sphere\ntimestep 1e-6\n";
   const std::string box = test::opening("f f f", "0 0.1 0 0.1 0 0.1");
   {
     Host host;
@@ -206,8 +208,8 @@ TEST(FixInsertPlaced, aRestartedRunHasItsParticlesAlready)
   }
   Host host;
   const std::size_t at = box.find("region"), end = box.find("neighbor");
-  host(box.substr(0, at) + "read_restart placed.restart\n" + box.substr(end) +
-       test::material("coul/clump 0.006") + "pair_coeff * * coul/clump 0.0\n" + put + "run 1\n");
+  host(box.substr(0, at) + "read_restart placed.restart\n" + box.substr(end) + test::material("coul/clump 0.006") +
+       "pair_coeff * * coul/clump 0.0\n" + put + "run 1\n");
   ASSERT_EQ(host.atoms().size(), 2u);
   EXPECT_EQ(host.fix("put")->compute_vector(0), 2);
   EXPECT_NEAR(host.fix("put")->compute_vector(1), 2 * 2500 * 4.0 / 3 * M_PI * 1e-9, 1e-15);
@@ -225,13 +227,15 @@ TEST(FixInsertPlacedParallel, noProcessorHoldsTheList)
   for (int k = 0; k < 2; k++) {
     std::ostringstream list;
     for (int i = 0; i < n[k]; i++)
-      list << "grain " << 0.001 + 0.002 * (i % 40) << ' ' << 0.001 + 0.002 * (i / 40 % 40) << ' ' << 0.001 + 0.001 * (i / 1600) << '\n';
+      list << "grain " << 0.001 + 0.002 * (i % 40) << ' ' << 0.001 + 0.002 * (i / 40 % 40) << ' '
+           << 0.001 + 0.001 * (i / 1600) << '\n';
     list << "grain 0.05 0.05 0.09\n";
     spheres(list.str());
     std::string start = test::opening("f f f", "0 0.1 0 0.1 0 0.1");
     start.replace(start.find("* * *"), 5, "1 1 2");
     Host host;
-    host(start + test::material("coul/clump 0.006") + "pair_coeff * * coul/clump 0.0\n"
+    host(start + test::material("coul/clump 0.006") +
+         "pair_coeff * * coul/clump 0.0\n"
          "fix grain all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 1e-3\n");
     const test::Allocations allocations;
     host("fix put all insert/placed file placed.txt templates grain\n");

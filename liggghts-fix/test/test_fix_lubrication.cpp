@@ -54,7 +54,8 @@ TEST(FixLubrication, exponentialApproachWhateverTheStep)
     start.precision(17);
     start << "velocity one set 0 0 " << v0 << " units box\nvelocity other set 0 0 " << -v0 << " units box\n";
     host(spheres("f f f", {{0.005, 0.005, 0.004}, {0.005, 0.005, 0.004 + 2 * a + h0}},
-                 "logarithm no shifted no inner 1e-6", F, dt, start.str()) + "run " + std::to_string(steps) + "\n");
+                 "logarithm no shifted no inner 1e-6", F, dt, start.str()) +
+         "run " + std::to_string(steps) + "\n");
     EXPECT_NEAR(gap(host.atoms()) / (h0 * std::exp(-steps * dt / T)), 1, 0.01) << dt / relax;
   }
 }
@@ -84,7 +85,10 @@ TEST(FixLubrication, wallsFlatAndRound)
 {
   // one sphere beside a plane, another inside a cylinder: the force at a given velocity
   const double h = 1e-3 * a, v = 1e-6;
-  struct Case { const char *wall; double x[3], n[3], curved; };
+  struct Case {
+    const char *wall;
+    double x[3], n[3], curved;
+  };
   const double R = 4e-3;
   const Case cases[] = {
       {"zplane 0", {0.005, 0.005, a + h}, {0, 0, 1}, 0},
@@ -111,8 +115,9 @@ TEST(FixLubrication, wallsFlatAndRound)
 TEST(FixLubrication, clumpsInSyrupNeverGainEnergy)
 {
   Host host;
-  host(test::opening("p p p", "-0.012 0.012 -0.012 0.012 0 0.024") + "region ins block -0.012 0.012 -0.012 0.012 0 0.024 units box\n" +
-       test::material("") + test::clumps(110) + "fix films all lubrication viscosity 1e3 outer 1\ntimestep 1e-5\nrun 1\n" +
+  host(test::opening("p p p", "-0.012 0.012 -0.012 0.012 0 0.024") +
+       "region ins block -0.012 0.012 -0.012 0.012 0 0.024 units box\n" + test::material("") + test::clumps(110) +
+       "fix films all lubrication viscosity 1e3 outer 1\ntimestep 1e-5\nrun 1\n" +
        "velocity all set 0 0 0 units box\n");
   auto energy = [&] {
     double e = 0;

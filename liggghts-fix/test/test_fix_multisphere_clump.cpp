@@ -23,13 +23,12 @@ std::string tumble(const std::string &style, const std::string &boundary, const 
   clumps.replace(clumps.find(to), to.size(), "constant 0.1 0.2 -1 omega constant 30 20 10");
   const bool closed = boundary[0] == 'f';
   return test::opening(boundary, "-0.012 0.012 -0.012 0.012 0 0.065") +
-         "region ins block -0.011 0.011 -0.011 0.011 0.001 0.045 units box\n" +
-         test::material("coul/clump 0.006") +
-         "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n" + clumps +
-         "fix grav all gravity 9.81 vector 0 0 -1\n"
-         "fix floor all wall/gran model hooke tangential history primitive type 1 zplane 0\n" +
-         (closed ? "fix side all wall/gran model hooke tangential history primitive type 1 zcylinder 0.012 0 0\n" : "") +
-         more + "timestep 5e-6\n";
+      "region ins block -0.011 0.011 -0.011 0.011 0.001 0.045 units box\n" + test::material("coul/clump 0.006") +
+      "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n" + clumps +
+      "fix grav all gravity 9.81 vector 0 0 -1\n"
+      "fix floor all wall/gran model hooke tangential history primitive type 1 zplane 0\n" +
+      (closed ? "fix side all wall/gran model hooke tangential history primitive type 1 zcylinder 0.012 0 0\n" : "") +
+      more + "timestep 5e-6\n";
 }
 
 /// Largest difference of velocity over the largest velocity, and of place [m].
@@ -93,15 +92,9 @@ double energy(Host &host)
 
 }  // namespace
 
-TEST(FixMultisphereClump, collidesAsStockDoes)
-{
-  same_as_stock("f f f", "", 800);
-}
+TEST(FixMultisphereClump, collidesAsStockDoes) { same_as_stock("f f f", "", 800); }
 
-TEST(FixMultisphereClump, passesPeriodicSidesAsStockDoes)
-{
-  same_as_stock("p p f", "", 800);
-}
+TEST(FixMultisphereClump, passesPeriodicSidesAsStockDoes) { same_as_stock("p p f", "", 800); }
 
 TEST(FixMultisphereClump, leavesTheVirialToStock)
 {
@@ -141,9 +134,11 @@ TEST(FixMultisphereClump, keepsWhatActsOnABody)
 TEST(FixMultisphereClump, takesInsertedBodiesUp)
 {
   // a second batch comes while the first one moves
-  const std::string more = "region upper block -0.011 0.011 -0.011 0.011 0.046 0.064 units box\n"
-    "fix late all insert/pack seed 86028121 distributiontemplate pdd insert_every 200 overlapcheck yes "
-    "orientation random all_in yes maxattempt 200 vel constant 0 0 -0.5 region upper particles_in_region 2 ntry_mc 10000\n";
+  const std::string more =
+      "region upper block -0.011 0.011 -0.011 0.011 0.046 0.064 units box\n"
+      "fix late all insert/pack seed 86028121 distributiontemplate pdd insert_every 200 overlapcheck yes "
+      "orientation random all_in yes maxattempt 200 vel constant 0 0 -0.5 region upper "
+      "particles_in_region 2 ntry_mc 10000\n";
   same_as_stock("f f f", more, 700);
 }
 

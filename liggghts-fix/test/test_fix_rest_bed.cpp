@@ -21,16 +21,17 @@ std::string fall(const std::string &more)
     for (double b : x)
       for (int k = 0; k < 3; k++)
         script += "create_atoms 1 single " + std::to_string(a + 1e-4 * k) + " " + std::to_string(b) + " " +
-                  std::to_string(0.0015 + 0.0024 * k) + " units box\n";
+            std::to_string(0.0015 + 0.0024 * k) + " units box\n";
   return script +
-         "set group all diameter 2e-3 density 2600\nfix move all nve/sphere\nfix damp all viscous 2e-3\n"
-         "fix g all gravity 9.81 vector 0 0 -1\n"
-         "fix floor all wall/gran model hooke tangential history primitive type 1 zplane 0\n"
-         "fix xl all wall/gran model hooke tangential history primitive type 1 xplane -0.0033\n"
-         "fix xh all wall/gran model hooke tangential history primitive type 1 xplane 0.0033\n"
-         "fix yl all wall/gran model hooke tangential history primitive type 1 yplane -0.0033\n"
-         "fix yh all wall/gran model hooke tangential history primitive type 1 yplane 0.0033\n"
-         "timestep 1e-5\n" + more;
+      "set group all diameter 2e-3 density 2600\nfix move all nve/sphere\nfix damp all viscous 2e-3\n"
+      "fix g all gravity 9.81 vector 0 0 -1\n"
+      "fix floor all wall/gran model hooke tangential history primitive type 1 zplane 0\n"
+      "fix xl all wall/gran model hooke tangential history primitive type 1 xplane -0.0033\n"
+      "fix xh all wall/gran model hooke tangential history primitive type 1 xplane 0.0033\n"
+      "fix yl all wall/gran model hooke tangential history primitive type 1 yplane -0.0033\n"
+      "fix yh all wall/gran model hooke tangential history primitive type 1 yplane 0.0033\n"
+      "timestep 1e-5\n" +
+      more;
 }
 
 double mean_height(Host &host)
@@ -66,16 +67,17 @@ TEST(FixRestBed, computesEveryStepWhileParticlesFall)
 
 TEST(FixRestBed, wakesForANewSphere)
 {
-  const std::string drop =
-      "create_atoms 2 single 0.0 0.0 0.012 units box\ngroup late type 2\n"
-      "set group late diameter 2e-3 density 2600\nrun 20000\n";
+  const std::string drop = "create_atoms 2 single 0.0 0.0 0.012 units box\ngroup late type 2\n"
+                           "set group late diameter 2e-3 density 2600\nrun 20000\n";
   Host every, some;
   every(fall("run 40000\n" + drop));
   some(fall("fix rest all rest/bed window 2e-3\nrun 40000\n" + drop));
   EXPECT_GT(skipped(some), 5000);
   double z[2] = {NAN, NAN};
-  for (const auto &a : every.atoms()) if (a.type == 2) z[0] = a.x[2];
-  for (const auto &a : some.atoms()) if (a.type == 2) z[1] = a.x[2];
+  for (const auto &a : every.atoms())
+    if (a.type == 2) z[0] = a.x[2];
+  for (const auto &a : some.atoms())
+    if (a.type == 2) z[1] = a.x[2];
   EXPECT_LT(z[0], 0.0115);
   EXPECT_NEAR(z[1], z[0], 2e-5);
   // its height is nothing that the bed has missed

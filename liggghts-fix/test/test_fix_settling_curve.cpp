@@ -35,10 +35,12 @@ TEST(FixSettlingCurve, spheresInLayers)
   // a column of 20 mm side with layers of 25 spheres, 4 mm apart, the lowest 2 mm up
   std::ostringstream s;
   s << test::opening("f f f", "0 0.02 0 0.02 -0.004 0.1") << test::material("coul/clump 0.006")
-    << "pair_coeff * * coul/clump 0.0\nfix floor all wall/gran model hooke tangential history primitive type 1 zplane 0.0\n";
+    << "pair_coeff * * coul/clump 0.0\n"
+       "fix floor all wall/gran model hooke tangential history primitive type 1 zplane 0.0\n";
   for (int l = 0; l < 20; l++)
     for (int i = 0; i < 25; i++)
-      s << "create_atoms 1 single " << 0.002 + 0.004 * (i % 5) << ' ' << 0.002 + 0.004 * (i / 5) << ' ' << 0.002 + 0.004 * l << " units box\n";
+      s << "create_atoms 1 single " << 0.002 + 0.004 * (i % 5) << ' ' << 0.002 + 0.004 * (i / 5) << ' '
+        << 0.002 + 0.004 * l << " units box\n";
   s << "set type 1 diameter 3e-3\nset type 1 density 2600\nfix nve all nve/sphere\ntimestep 1e-6\n"
     << "fix sc all settling/curve 10 file " << name << " scale 8.64e4 bed_fraction 0.15\n"
     << "thermo_style custom step f_sc[1] f_sc[4]\nrun 25\n";
@@ -56,8 +58,8 @@ TEST(FixSettlingCurve, spheresInLayers)
   ASSERT_EQ(table.size(), 3u);
   EXPECT_NEAR(table[2][0], 20e-6, 1e-12);
   EXPECT_NEAR(table[2][1], 20e-6, 1e-12);
-  EXPECT_NEAR(table[0][2], 0.08, 0.002);   // top of the uppermost layer's share
-  EXPECT_NEAR(table[0][3], 0.08, 0.003);   // solid fraction 0.22: all of it is bed
+  EXPECT_NEAR(table[0][2], 0.08, 0.002);  // top of the uppermost layer's share
+  EXPECT_NEAR(table[0][3], 0.08, 0.003);  // solid fraction 0.22: all of it is bed
   EXPECT_NEAR(table[0][4], 0.04, 1e-12);
   std::remove(name);
 }
@@ -67,7 +69,9 @@ TEST(FixSettlingCurve, spheresInLayers)
 TEST(FixSettlingCurve, largestOverlapOfSpheresAndWalls)
 {
   const std::string model = "model hooke/stiffness tangential history";
-  struct Case { std::string style, coeff, wall; };
+  struct Case {
+    std::string style, coeff, wall;
+  };
   const Case cases[] = {{"gran " + model, "* *", "wall/gran "},
                         {"gran/lean " + model, "* *", "wall/gran/lean "},
                         {"hybrid/overlay gran/lean " + model + " coul/clump 0.01", "* * gran/lean", "wall/gran/lean "}};
@@ -80,11 +84,12 @@ TEST(FixSettlingCurve, largestOverlapOfSpheresAndWalls)
            "fix m3 all property/global gamman peratomtypepair 2 1 1 1 1\n"
            "fix m4 all property/global gammat peratomtypepair 2 1 1 1 1\n"
            "fix m5 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
-           "pair_style " + c.style + "\npair_coeff " + c.coeff + "\n" +
+           "pair_style " +
+           c.style + "\npair_coeff " + c.coeff + "\n" +
            (c.style[0] == 'h' ? "pair_coeff 1 1 coul/clump 0\npair_coeff 2 2 coul/clump 0\n" : "") +
            "create_atoms 1 single 0.01 0.01 0.0486 units box\ncreate_atoms 1 single 0.01 0.01 0.05145 units box\n"
-           "set group all diameter 3e-3 density 2600\nfix nve all nve/sphere\ngroup none type 2\n" + more +
-           "timestep 1e-6\nfix sc all settling/curve 10 file " + name + "\nrun 0\n");
+           "set group all diameter 3e-3 density 2600\nfix nve all nve/sphere\ngroup none type 2\n" +
+           more + "timestep 1e-6\nfix sc all settling/curve 10 file " + name + "\nrun 0\n");
       return host.fix("sc")->compute_vector(3);
     };
     const std::string in = c.wall + model + " primitive type 1 zplane ";
@@ -102,8 +107,8 @@ TEST(FixSettlingCurve, crossSectionComesFromTheColumnsWall)
       "region ins cylinder z 0 0 0.01625 0.0 0.15 units box\n" + test::material("coul/clump 0.006") +
       "pair_coeff * * coul/clump 0.0\n"
       "fix w1 all wall/gran model hooke tangential history primitive type 1 zplane 0.01\n"
-      "fix w2 all wall/gran model hooke tangential history primitive type 1 zcylinder 0.01625 0. 0.\n" + test::clumps(60) +
-      "timestep 1e-6\n";
+      "fix w2 all wall/gran model hooke tangential history primitive type 1 zcylinder 0.01625 0. 0.\n" +
+      test::clumps(60) + "timestep 1e-6\n";
   double bed[2], mean[2];
   for (int given = 0; given < 2; given++) {
     Host host;
@@ -125,8 +130,8 @@ TEST(FixSettlingCurve, clumpsCountWithTheirVolume)
     Host host;
     host(test::opening("f f f", "-0.0165 0.0165 -0.0165 0.0165 -0.001 0.151") +
          "region ins cylinder z 0 0 0.01625 0 0.15 units box\n" + test::material("coul/clump 0.006") +
-         "pair_coeff * * coul/clump 0.0\n" + test::clumps(135, volume) +
-         "fix sc all settling/curve 1 file " + name + "\ntimestep 1e-6\nrun 1\n");
+         "pair_coeff * * coul/clump 0.0\n" + test::clumps(135, volume) + "fix sc all settling/curve 1 file " + name +
+         "\ntimestep 1e-6\nrun 1\n");
     const double sum = 1890 * 4.0 / 3 * M_PI * 1e-9;
     EXPECT_NEAR(host.fix("sc")->compute_vector(4), volume[7] == 's' ? sum : sum / 2 * 27 / 16, 1e-12 * sum);
     // the suspension fills the column but for what a clump's ball leaves free at the ends

@@ -16,8 +16,8 @@ namespace {
 std::string column(int n, const std::string &more = "")
 {
   return test::opening("f f f", "-0.0165 0.0165 -0.0165 0.0165 -0.001 0.151") +
-         "region ins cylinder z 0 0 0.01625 0 0.15 units box\n" + test::material("coul/clump 0.006") +
-         "pair_coeff * * coul/clump 0.0\n" + test::clumps(n, more) + "timestep 1e-6\n";
+      "region ins cylinder z 0 0 0.01625 0 0.15 units box\n" + test::material("coul/clump 0.006") +
+      "pair_coeff * * coul/clump 0.0\n" + test::clumps(n, more) + "timestep 1e-6\n";
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ TEST(FixTemplateClay, bodiesHaveTheExactMassAndInertia)
   for (int b = 0; b < host.multisphere()->n_body(); b++) {
     EXPECT_NEAR(data.mass(b), 14 * m, 1e-12 * m);
     double inertia[3];
-    const double *kept = data.prop().getElementProperty<VectorContainer<double,3> >("inertia")->begin()[b];
+    const double *kept = data.prop().getElementProperty<VectorContainer<double, 3>>("inertia")->begin()[b];
     std::copy(kept, kept + 3, inertia);
     std::sort(inertia, inertia + 3);
     EXPECT_NEAR(inertia[0], across, 1e-12 * axial);
@@ -107,7 +107,8 @@ TEST(FixTemplateClay, shapeKeywords)
        "spacing 1.9e-3 height 3.5e-3\n"
        "fix b all particletemplate/clay generic seed 15485863 type 2 atom_types 1 2 density 1000 "
        "spheres 3 0 0 0 1e-3 P 3e-3 0 0 2e-3 N 0 4e-3 0 1e-3 N\n"
-       "fix c all particletemplate/clay kaolinite seed 15485863 type 3 atom_types 1 2 radius 1e-3 density 2600 layers 3 layer_spacing 2e-3\n");
+       "fix c all particletemplate/clay kaolinite seed 15485863 type 3 atom_types 1 2 radius 1e-3 density 2600 "
+       "layers 3 layer_spacing 2e-3\n");
   auto *a = dynamic_cast<LAMMPS_NS::FixTemplateClay *>(host.fix("a"));
   auto *b = dynamic_cast<LAMMPS_NS::FixTemplateClay *>(host.fix("b"));
   auto *c = dynamic_cast<LAMMPS_NS::FixTemplateClay *>(host.fix("c"));
@@ -129,8 +130,9 @@ TEST(FixTemplateClay, shapeKeywords)
 TEST(FixTemplateClay, besideAStockTemplate)
 {
   Host host;
-  host(test::opening("f f f", "-0.02 0.02 -0.02 0.02 0 0.05") + "region ins block -0.02 0.02 -0.02 0.02 0 0.05 units box\n" +
-       test::material("coul/clump 0.006") + "pair_coeff * * coul/clump 0.0\n"
+  host(test::opening("f f f", "-0.02 0.02 -0.02 0.02 0 0.05") +
+       "region ins block -0.02 0.02 -0.02 0.02 0 0.05 units box\n" + test::material("coul/clump 0.006") +
+       "pair_coeff * * coul/clump 0.0\n"
        "fix s all particletemplate/multisphere 15485863 atom_type 1 density constant 2000 nspheres 2 ntry 100000 "
        "spheres 0 0 0 1e-3 1.5e-3 0 0 1e-3 type 1\n"
        "fix c all particletemplate/clay illite seed 15485867 type 2 atom_types 1 2 radius 1e-3 density 2600\n"

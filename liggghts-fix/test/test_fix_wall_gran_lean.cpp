@@ -33,7 +33,8 @@ std::string thrown(const std::string &wall, const std::string &law, const std::s
   std::mt19937 random(5);
   std::uniform_real_distribution<double> side(-5e-3, 5e-3), up(1e-3, 8e-3), speed(-0.4, 0.4), size(1.2e-3, 2e-3);
   for (int i = 1; i <= 40; i++)
-    s << "create_atoms " << 1 + i % 2 << " single " << side(random) << ' ' << side(random) << ' ' << up(random) << " units box\n"
+    s << "create_atoms " << 1 + i % 2 << " single " << side(random) << ' ' << side(random) << ' ' << up(random)
+      << " units box\n"
       << "set atom " << i << " diameter " << size(random) << "\nset atom " << i << " density 2600\n"
       << "group one id " << i << "\nvelocity one set " << speed(random) << ' ' << speed(random) << ' ' << speed(random)
       << " units box\ngroup one delete\n";
@@ -77,15 +78,9 @@ void same(const std::string &law, const std::string &more)
 
 }  // namespace
 
-TEST(FixWallGranLean, pushesAsStockDoes)
-{
-  same(STIFFNESS, "");
-}
+TEST(FixWallGranLean, pushesAsStockDoes) { same(STIFFNESS, ""); }
 
-TEST(FixWallGranLean, takesTheModelsSwitches)
-{
-  same(STIFFNESS, "tangential_damping off limitForce on");
-}
+TEST(FixWallGranLean, takesTheModelsSwitches) { same(STIFFNESS, "tangential_damping off limitForce on"); }
 
 TEST(FixWallGranLean, takesModulusAndRestitution)
 {

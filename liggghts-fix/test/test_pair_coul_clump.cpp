@@ -10,7 +10,6 @@
 #include "coulomb/pair_coul_clump.h"
 #include "update.h"
 
-
 using test::Host;
 
 namespace {
@@ -31,7 +30,9 @@ std::string two(const std::string &style, double apart)
   return s.str();
 }
 
-struct Errors { double force, torque; };
+struct Errors {
+  double force, torque;
+};
 
 // largest difference of the forces on bodies and loose spheres, and of the torques on
 // bodies about their first spheres, from pairs counted one by one, minimum image in the
@@ -39,7 +40,10 @@ struct Errors { double force, torque; };
 Errors against_brute_force(const std::vector<test::Atom> &atoms, const double *charge, double cutoff,
                            const double *period, long *acting)
 {
-  struct Sum { double wanted[6], got[6]; const test::Atom *first; };
+  struct Sum {
+    double wanted[6], got[6];
+    const test::Atom *first;
+  };
   std::map<int, Sum> sums;
   *acting = 0;
   for (const test::Atom &i : atoms) {
@@ -83,7 +87,10 @@ Errors against_brute_force(const std::vector<test::Atom> &atoms, const double *c
 
 TEST(PairCoulClump, forceByTheFormula)
 {
-  struct Case { const char *style; double r, expected; };
+  struct Case {
+    const char *style;
+    double r, expected;
+  };
   const double qq = 2e-10 * -3e-10;
   const Case cases[] = {
       {"coul/clump 0.006", 0.004, k * qq / 1.6e-5},
@@ -128,8 +135,7 @@ TEST(PairCoulClump, circularOrbit)
     Host host;
     std::ostringstream s;
     s.precision(17);
-    s << test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01")
-      << test::material("coul/clump 0.004" + every)
+    s << test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") << test::material("coul/clump 0.004" + every)
       << "pair_coeff 1 1 coul/clump " << q << "\npair_coeff 2 2 coul/clump " << -q
       << "\ncreate_atoms 1 single -0.0005 0 0 units box\ncreate_atoms 2 single 0.0005 0 0 units box\n"
       << "set group all diameter 1e-4\nset group all density " << m / (M_PI / 6 * 1e-12) << "\n"
@@ -166,7 +172,8 @@ TEST(PairCoulClump, everyStepsGivesTheSameImpulse)
 TEST(PairCoulClump, noChargesNoWork)
 {
   Host host;
-  std::string script = two("coul/clump 0.006", 0.004) + "pair_coeff 1 1 coul/clump 0.0\npair_coeff 2 2 coul/clump 0.0\nrun 5\n";
+  std::string script =
+      two("coul/clump 0.006", 0.004) + "pair_coeff 1 1 coul/clump 0.0\npair_coeff 2 2 coul/clump 0.0\nrun 5\n";
   host(script);
   auto *pair = dynamic_cast<LAMMPS_NS::PairCoulClump *>(host.lmp->force->pair_match("coul/clump", 1));
   EXPECT_EQ(pair->evaluations(), 0);
@@ -179,7 +186,8 @@ TEST(PairCoulClump, everyPairOfClumpsInReach)
   for (double cutoff : {0.003, 0.008}) {
     Host host;
     std::ostringstream s;
-    s << test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") << "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n"
+    s << test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06")
+      << "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n"
       << test::material("coul/clump " + std::to_string(cutoff))
       << "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n"
       << test::clumps(40) << "timestep 1e-6\nrun 2\n";
@@ -199,9 +207,10 @@ TEST(PairCoulClump, singlePrecision)
 {
   const double charge[] = {0, 4e-10, -4e-10}, period[3] = {0, 0, 0};
   Host host;
-  host(test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") + "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" +
-       test::material("coul/clump 0.008 single") + "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n" +
-       test::clumps(40) + "timestep 1e-6\nrun 2\n");
+  host(test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") +
+       "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" + test::material("coul/clump 0.008 single") +
+       "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n" + test::clumps(40) +
+       "timestep 1e-6\nrun 2\n");
   long acting;
   const Errors e = against_brute_force(host.atoms(), charge, 0.008, period, &acting);
   EXPECT_LT(e.force, 1e-6);
@@ -233,9 +242,10 @@ TEST(PairCoulClump, acrossPeriodicSides)
 {
   const double charge[] = {0, 4e-10, -4e-10};
   Host host;
-  host(test::opening("p p f", "-0.012 0.012 -0.012 0.012 0 0.05") + "region ins block -0.012 0.012 -0.012 0.012 0 0.05 units box\n" +
-       test::material("coul/clump 0.007") + "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n" +
-       test::clumps(30) + "timestep 1e-6\nrun 2\n");
+  host(test::opening("p p f", "-0.012 0.012 -0.012 0.012 0 0.05") +
+       "region ins block -0.012 0.012 -0.012 0.012 0 0.05 units box\n" + test::material("coul/clump 0.007") +
+       "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n" + test::clumps(30) +
+       "timestep 1e-6\nrun 2\n");
   const double period[3] = {0.024, 0.024, 0};
   long acting;
   const Errors e = against_brute_force(host.atoms(), charge, 0.007, period, &acting);
@@ -251,16 +261,17 @@ const std::string charges = "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 cou
 // clumps that have moved for ten steps, and the restart file of that moment
 std::string begun()
 {
-  return test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") + "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" +
-         test::material("coul/clump 0.008 shifted every 2") + charges + test::clumps(40) +
-         "timestep 1e-5\nrun 10\nwrite_restart coul_clump.restart\n";
+  return test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") +
+      "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" +
+      test::material("coul/clump 0.008 shifted every 2") + charges + test::clumps(40) +
+      "timestep 1e-5\nrun 10\nwrite_restart coul_clump.restart\n";
 }
 
 std::string again()
 {
   return "atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * *\n"
          "read_restart coul_clump.restart\nneighbor 0.0005 bin\nneigh_modify delay 0\n" +
-         test::material("coul/clump 0.008 shifted every 2") + charges + "fix ms all multisphere\ntimestep 1e-5\nrun 300\n";
+      test::material("coul/clump 0.008 shifted every 2") + charges + "fix ms all multisphere\ntimestep 1e-5\nrun 300\n";
 }
 
 void expect_same(const std::vector<test::Atom> &a, const std::vector<test::Atom> &b)

@@ -25,12 +25,14 @@ std::string contacts(const std::string &style, const std::string &more = "")
          "fix m3 all property/global gamman peratomtypepair 2 2000. 1500. 1500. 1000.\n"
          "fix m4 all property/global gammat peratomtypepair 2 1000. 1200. 1200. 800.\n"
          "fix m5 all property/global coefficientFriction peratomtypepair 2 0.5 0.3 0.3 0.1\n"
-         "pair_style " + style + " model hooke/stiffness tangential history " + more + "\n";
+         "pair_style " +
+      style + " model hooke/stiffness tangential history " + more + "\n";
 }
 
-const std::string walls = "fix floor all wall/gran model hooke/stiffness tangential history primitive type 1 zplane 0.\n"
-                          "fix side all wall/gran model hooke/stiffness tangential history primitive type 2 "
-                          "zcylinder 0.009 0. 0.\n";
+const std::string walls =
+    "fix floor all wall/gran model hooke/stiffness tangential history primitive type 1 zplane 0.\n"
+    "fix side all wall/gran model hooke/stiffness tangential history primitive type 2 "
+    "zcylinder 0.009 0. 0.\n";
 
 // spheres thrown together, with velocities; in contact from the start
 std::string spheres(int n, unsigned seed)
@@ -40,7 +42,8 @@ std::string spheres(int n, unsigned seed)
   std::ostringstream s;
   s.precision(17);
   for (int i = 1; i <= n; i++) {
-    s << "create_atoms " << 1 + i % 2 << " single " << side(random) << ' ' << side(random) << ' ' << up(random) << " units box\n"
+    s << "create_atoms " << 1 + i % 2 << " single " << side(random) << ' ' << side(random) << ' ' << up(random)
+      << " units box\n"
       << "set atom " << i << " diameter " << size(random) << "\nset atom " << i << " density 2600\n"
       << "group one id " << i << "\nvelocity one set " << speed(random) << ' ' << speed(random) << ' ' << speed(random)
       << " units box\ngroup one delete\n";
@@ -68,7 +71,9 @@ int near_pairs(Host &host)
 }
 
 // largest difference of positions, velocities and forces, each over the largest there is
-struct Apart { double x, v, f, largest_f; };
+struct Apart {
+  double x, v, f, largest_f;
+};
 
 Apart apart(const std::vector<test::Atom> &a, const std::vector<test::Atom> &b)
 {
@@ -121,26 +126,28 @@ const std::string material = box() + contacts("gran") + "pair_coeff * *\n" + wal
 TEST(PairGranLean, forcesOfGran)
 {
   for (const std::string more : {"", "tangential_damping off", "limitForce on"})
-    expect_same(box() + contacts("gran", more) + "pair_coeff * *\n" + walls + spheres(220, 7) + "timestep 1e-6\nrun 20\n",
+    expect_same(box() + contacts("gran", more) + "pair_coeff * *\n" + walls + spheres(220, 7) +
+                    "timestep 1e-6\nrun 20\n",
                 1e-12, more);
 }
 
 TEST(PairGranLean, absoluteDamping)
 {
-  expect_same(box() + "fix a1 all property/global gamman_abs peratomtypepair 2 0.01 0.02 0.02 0.03\n"
-              "fix a2 all property/global gammat_abs peratomtypepair 2 0.005 0.01 0.01 0.015\n" +
-              contacts("gran", "absolute_damping on") + "pair_coeff * *\n" + spheres(220, 8) + "timestep 1e-6\nrun 20\n",
+  expect_same(box() +
+                  "fix a1 all property/global gamman_abs peratomtypepair 2 0.01 0.02 0.02 0.03\n"
+                  "fix a2 all property/global gammat_abs peratomtypepair 2 0.005 0.01 0.01 0.015\n" +
+                  contacts("gran", "absolute_damping on") + "pair_coeff * *\n" + spheres(220, 8) +
+                  "timestep 1e-6\nrun 20\n",
               1e-12, "absolute_damping");
 }
 
 namespace {
 
-const std::string modulus =
-    "fix y all property/global youngsModulus peratomtype 2.5e7 1e7\n"
-    "fix p all property/global poissonsRatio peratomtype 0.45 0.3\n"
-    "fix e all property/global coefficientRestitution peratomtypepair 2 0.8 0.6 0.6 0.4\n"
-    "fix c all property/global coefficientFriction peratomtypepair 2 0.3 0.2 0.2 0.1\n"
-    "fix v all property/global characteristicVelocity scalar 0.1\n";
+const std::string modulus = "fix y all property/global youngsModulus peratomtype 2.5e7 1e7\n"
+                            "fix p all property/global poissonsRatio peratomtype 0.45 0.3\n"
+                            "fix e all property/global coefficientRestitution peratomtypepair 2 0.8 0.6 0.6 0.4\n"
+                            "fix c all property/global coefficientFriction peratomtypepair 2 0.3 0.2 0.2 0.1\n"
+                            "fix v all property/global characteristicVelocity scalar 0.1\n";
 
 }  // namespace
 
@@ -149,10 +156,13 @@ TEST(PairGranLean, modulusAndRestitution)
 {
   for (const std::string more : {"", "tangential_damping off", "limitForce on", "ktToKnUser on"})
     expect_same(box() + modulus + "pair_style gran model hooke tangential history " + more + "\npair_coeff * *\n" +
-                spheres(220, 13) + "timestep 1e-6\nrun 20\n", 1e-12, "hooke " + more);
-  expect_same(box() + modulus + "pair_style gran model hooke tangential history\npair_coeff * *\n"
-              "fix floor all wall/gran model hooke tangential history primitive type 1 zplane 0.\n" +
-              spheres(120, 14) + "neighbor 0.0001 bin\ntimestep 5e-6\nrun 1000\n", 1e-8, "hooke, 1000 steps");
+                    spheres(220, 13) + "timestep 1e-6\nrun 20\n",
+                1e-12, "hooke " + more);
+  expect_same(box() + modulus +
+                  "pair_style gran model hooke tangential history\npair_coeff * *\n"
+                  "fix floor all wall/gran model hooke tangential history primitive type 1 zplane 0.\n" +
+                  spheres(120, 14) + "neighbor 0.0001 bin\ntimestep 5e-6\nrun 1000\n",
+              1e-8, "hooke, 1000 steps");
 }
 
 // The lists are built anew and the spheres roll and slide; a thousand steps of
@@ -170,8 +180,11 @@ TEST(PairGranLean, historyOverThousandSteps)
 // steps with stresses are left to gran's own loop, on the same contacts
 TEST(PairGranLean, alternatesWithGransLoop)
 {
-  expect_same(material + spheres(120, 10) + "compute p all stress/atom pair\ncompute l all pair/gran/local id force\n"
-              "compute s all reduce sum c_p[3]\ncompute m all reduce sum c_l[3]\nfix t all ave/time 7 1 7 c_s c_m\ntimestep 5e-6\nrun 400\n", 1e-9, "stress");
+  expect_same(material + spheres(120, 10) +
+                  "compute p all stress/atom pair\ncompute l all pair/gran/local id force\n"
+                  "compute s all reduce sum c_p[3]\ncompute m all reduce sum c_l[3]\n"
+                  "fix t all ave/time 7 1 7 c_s c_m\ntimestep 5e-6\nrun 400\n",
+              1e-9, "stress");
 }
 
 // runs one after the other, and restarts in either style, carry the contacts on
@@ -183,9 +196,11 @@ TEST(PairGranLean, contactsLastFromRunToRun)
 
   Host first;
   first(lean_of(start) + "write_restart gran_lean.restart\nrun 100\n");
-  const std::string again = "atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * *\n"
-                            "read_restart gran_lean.restart\nneigh_modify delay 0\n" + contacts("gran") + "pair_coeff * *\n" +
-                            walls + "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\n" + pile + "run 100\n";
+  const std::string again =
+      "atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * *\n"
+      "read_restart gran_lean.restart\nneigh_modify delay 0\n" +
+      contacts("gran") + "pair_coeff * *\n" + walls +
+      "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\n" + pile + "run 100\n";
   for (const std::string &script : {again, lean_of(again)}) {
     Host later;
     later(script);
@@ -209,7 +224,7 @@ TEST(PairGranLean, heatGoesThroughItsContacts)
          "fix heat all heat/gran/conduction initial_temperature 300.\ntimestep 1e-6\nrun 0\n"
          "set group top property/atom Temp 500.\nrun 3000\n");
     const LAMMPS_NS::FixPropertyAtom *temp = static_cast<LAMMPS_NS::FixPropertyAtom *>(
-      host.lmp->modify->find_fix_property("Temp", "property/atom", "scalar", 0, 0, "test"));
+        host.lmp->modify->find_fix_property("Temp", "property/atom", "scalar", 0, 0, "test"));
     double mine = 0;
     for (int i = 0; i < host.lmp->atom->nlocal; i++)
       if (host.lmp->atom->tag[i] == 2) mine = temp->vector_atom[i];
@@ -224,9 +239,10 @@ TEST(PairGranLean, clumpsWithCharges)
 {
   std::string sides;
   for (const std::string at : {"xplane -0.012", "xplane 0.012", "yplane -0.012", "yplane 0.012"})
-    sides += "fix w" + std::to_string(sides.size()) + " all wall/gran model hooke/stiffness tangential history primitive type 1 " + at + "\n";
-  const std::string script =
-      test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") + "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" +
+    sides += "fix w" + std::to_string(sides.size()) +
+        " all wall/gran model hooke/stiffness tangential history primitive type 1 " + at + "\n";
+  const std::string script = test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") +
+      "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" +
       contacts("hybrid/overlay gran", "coul/clump 0.006 every 2") +
       "pair_coeff * * gran\npair_coeff 1 1 coul/clump 3e-10\npair_coeff 2 2 coul/clump -3e-10\n" + test::clumps(40) +
       "fix grav all gravity 9.81 vector 0 0 -1\nfix push all addforce 0. 0. -0.001\n"
@@ -258,9 +274,11 @@ TEST(PairGranLeanParallel, twoProcessorsGiveTheSameAsOne)
     first(lean_of(material + spheres(150, 12) + "timestep 5e-6\nrun 300\nwrite_restart gran_lean_many.restart\n"));
   }
   MPI_Barrier(MPI_COMM_WORLD);
-  const std::string again = lean_of("atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * 1\n"
-                            "read_restart gran_lean_many.restart\nneighbor 0.0002 bin\nneigh_modify delay 0\n" + contacts("gran") +
-                            "pair_coeff * *\n" + walls + "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\ntimestep 5e-6\nrun 600\n");
+  const std::string again =
+      lean_of("atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * 1\n"
+              "read_restart gran_lean_many.restart\nneighbor 0.0002 bin\nneigh_modify delay 0\n" +
+              contacts("gran") + "pair_coeff * *\n" + walls +
+              "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\ntimestep 5e-6\nrun 600\n");
   Host alone(MPI_COMM_SELF), together(MPI_COMM_WORLD);
   alone(again);
   together(again);

@@ -38,20 +38,20 @@ std::string pressed()
 std::string resting()
 {
   return test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.001 0.01") + stiff() +
-         "fix g all gravity 9.81 vector 0 0 -1\n"
-         "fix floor all wall/gran model hooke/stiffness tangential history primitive type 1 zplane 0.0\n"
-         "fix ill all particletemplate/clay illite seed 15485863 type 1 atom_types 1 2 radius 1e-3 density 2600\n"
-         "fix pdd all particledistribution/discrete 32452843 1 ill 1.0\nfix ms all multisphere\n"
-         "region ins block -0.002 0.002 -0.002 0.002 0.0016 0.0026 units box\n"
-         "fix ins all insert/pack seed 49979687 distributiontemplate pdd insert_every once overlapcheck no "
-         "orientation template all_in no vel constant 0 0 0 region ins particles_in_region 1 ntry_mc 10000\n"
-         "timestep 2e-6\nthermo 10000\nrun 12000\n";
+      "fix g all gravity 9.81 vector 0 0 -1\n"
+      "fix floor all wall/gran model hooke/stiffness tangential history primitive type 1 zplane 0.0\n"
+      "fix ill all particletemplate/clay illite seed 15485863 type 1 atom_types 1 2 radius 1e-3 density 2600\n"
+      "fix pdd all particledistribution/discrete 32452843 1 ill 1.0\nfix ms all multisphere\n"
+      "region ins block -0.002 0.002 -0.002 0.002 0.0016 0.0026 units box\n"
+      "fix ins all insert/pack seed 49979687 distributiontemplate pdd insert_every once overlapcheck no "
+      "orientation template all_in no vel constant 0 0 0 region ins particles_in_region 1 ntry_mc 10000\n"
+      "timestep 2e-6\nthermo 10000\nrun 12000\n";
 }
 
 double kinetic(Host &host)
 {
   double e = 0;
-  for (const auto &a : host.atoms()) e += a.v[0]*a.v[0] + a.v[1]*a.v[1] + a.v[2]*a.v[2];
+  for (const auto &a : host.atoms()) e += a.v[0] * a.v[0] + a.v[1] * a.v[1] + a.v[2] * a.v[2];
   return e;
 }
 
@@ -82,7 +82,8 @@ TEST(RunChecks, otherModelsAreNotJudged)
        "fix m2 all property/global poissonsRatio peratomtype 0.25 0.25\n"
        "fix m3 all property/global coefficientRestitution peratomtypepair 2 0.3 0.3 0.3 0.3\n"
        "fix m4 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
-       "pair_style gran model hertz tangential history\npair_coeff * *\n" + pressed());
+       "pair_style gran model hertz tangential history\npair_coeff * *\n" +
+       pressed());
   EXPECT_FALSE(LAMMPS_NS::ContactModel(host.lmp.get()).known());
   EXPECT_TRUE(std::isinf(LAMMPS_NS::resting_step_limit(host.lmp.get())));
   EXPECT_TRUE(std::isinf(LAMMPS_NS::present_step_limit(host.lmp.get())));
@@ -108,8 +109,8 @@ TEST(RunChecks, limitsOfAPlateAtRest)
   const double m = 2600 * g.volume;
   std::vector<clay::BodyContact> floor;
   for (int i = 0; i < 7; i++)
-    floor.push_back({clump[i].x - Eigen::Vector3d(0, 0, 1e-3), -Eigen::Vector3d::UnitZ(),
-                     {k, k, gamma_n * m, gamma_n * m}, true});
+    floor.push_back(
+        {clump[i].x - Eigen::Vector3d(0, 0, 1e-3), -Eigen::Vector3d::UnitZ(), {k, k, gamma_n * m, gamma_n * m}, true});
   const double exact = clay::stableStep(m, 2600 * g.inertia, floor);
   EXPECT_NEAR(now, exact, 2e-3 * exact);
 }
@@ -126,9 +127,9 @@ std::string listed(const std::string &processors, const std::string &boundary, c
   std::string start = test::opening(boundary, "-0.02 0.02 -0.02 0.02 -0.04 0.04");
   start.replace(start.find("* * *"), 5, processors);
   return start + stiff() +
-         "fix ill all particletemplate/clay illite seed 15485863 type 1 atom_types 1 2 radius 1e-3 density 2600\n"
-         "fix ms all multisphere\nfix put all insert/placed file run_checks.txt templates ill verbose no\n"
-         "timestep 1e-6\nrun 0\n";
+      "fix ill all particletemplate/clay illite seed 15485863 type 1 atom_types 1 2 radius 1e-3 density 2600\n"
+      "fix ms all multisphere\nfix put all insert/placed file run_checks.txt templates ill verbose no\n"
+      "timestep 1e-6\nrun 0\n";
 }
 
 }  // namespace
@@ -169,8 +170,9 @@ TEST(RunChecksParallel, memoryGoesByOwnBodies)
     std::string list = "ill 0 0 0.0301 1 0 0 0\nill 0 0 0.03309 1 0 0 0\n";
     const int layers = k ? 8 : 2;
     for (int n = 0; n < 25 * layers; n++)
-      list += "ill " + std::to_string(-0.0124 + 0.0062 * (n % 5)) + ' ' + std::to_string(-0.0124 + 0.0062 * (n / 5 % 5)) + ' ' +
-              std::to_string(-0.037 + 0.00299 * (n / 25)) + " 1 0 0 0\n";
+      list += "ill " + std::to_string(-0.0124 + 0.0062 * (n % 5)) + ' ' +
+          std::to_string(-0.0124 + 0.0062 * (n / 5 % 5)) + ' ' + std::to_string(-0.037 + 0.00299 * (n / 25)) +
+          " 1 0 0 0\n";
     Host host;
     host(listed("1 1 2", "f f f", list));
     ASSERT_EQ(host.multisphere()->n_body(), rank ? 2 : 25 * layers);
@@ -192,14 +194,15 @@ TEST(RunChecks, theHostBlowsUpWhereTheLimitSays)
   const double m = 2600 * g.volume;
   std::vector<clay::BodyContact> floor;
   for (int i = 0; i < 7; i++)
-    floor.push_back({clump[i].x - Eigen::Vector3d(0, 0, 1e-3), -Eigen::Vector3d::UnitZ(),
-                     {k, k, gamma_n * m, gamma_n * m}, true});
+    floor.push_back(
+        {clump[i].x - Eigen::Vector3d(0, 0, 1e-3), -Eigen::Vector3d::UnitZ(), {k, k, gamma_n * m, gamma_n * m}, true});
   const double limit = clay::stableStep(m, 2600 * g.inertia, floor);
   for (double factor : {0.85, 1.15}) {
     Host host;
     std::ostringstream s;
     s.precision(17);
-    s << resting() << "unfix g\nfix g all gravity 9.81 vector 0.001 0 -1\ntimestep " << factor * limit << "\nrun 3000\n";
+    s << resting() << "unfix g\nfix g all gravity 9.81 vector 0.001 0 -1\ntimestep " << factor * limit
+      << "\nrun 3000\n";
     host(s.str());
     if (factor < 1) EXPECT_LT(kinetic(host), 1e-12);
     else EXPECT_GT(kinetic(host), 1e-8);
@@ -219,9 +222,8 @@ TEST(RunChecks, sphereAtRest)
   // what holds it below and aside are walls; above, another sphere: contacts on two opposite
   // sides and one across, of which those with a wall count once
   const auto wall = model.between(1, 1, m, r), other = model.between(1, 1, m / 2, r / 2);
-  const std::vector<clay::BodyContact> around = {{{0, 0, -r}, {0, 0, -1}, wall, true},
-                                                 {{r, 0, 0}, {1, 0, 0}, wall, true},
-                                                 {{0, 0, r}, {0, 0, 1}, other, false}};
+  const std::vector<clay::BodyContact> around = {
+      {{0, 0, -r}, {0, 0, -1}, wall, true}, {{r, 0, 0}, {1, 0, 0}, wall, true}, {{0, 0, r}, {0, 0, 1}, other, false}};
   EXPECT_NEAR(limit, clay::stableStep(m, 0.4 * m * r * r * Eigen::Matrix3d::Identity(), around), 1e-9 * limit);
 
   host("set type 2 diameter 1e-3\nset type 2 density 2600\nrun 0\n");
@@ -244,7 +246,8 @@ TEST(RunChecks, chargesAgainstStiffness)
        "fix p4 all property/global gammat peratomtypepair 2 4000 4000 4000 4000\n"
        "fix p5 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
        "pair_style hybrid/overlay gran model hooke/stiffness tangential history coul/clump 0.012\n"
-       "pair_coeff * * gran\npair_coeff 1 1 coul/clump 1e-8\npair_coeff 2 2 coul/clump -1e-8\n" + pressed());
+       "pair_coeff * * gran\npair_coeff 1 1 coul/clump 1e-8\npair_coeff 2 2 coul/clump -1e-8\n" +
+       pressed());
   const auto c = LAMMPS_NS::charged_contact(host.lmp.get());
   EXPECT_EQ(c.first, 1);
   EXPECT_EQ(c.second, 2);

@@ -37,10 +37,7 @@ std::string said(Look look)
   return "";
 }
 
-void expect(const std::string &text, const std::string &part)
-{
-  EXPECT_NE(text.find(part), std::string::npos) << text;
-}
+void expect(const std::string &text, const std::string &part) { EXPECT_NE(text.find(part), std::string::npos) << text; }
 
 // one sphere above a floor, at rest
 void place(Host &host)
@@ -110,7 +107,8 @@ TEST(RunawayWatch, aWallHoldsItsGroupAlone)
 {
   Host host(MPI_COMM_SELF);
   place(host);
-  host("group none type 2\nfix lid none wall/gran model hooke/stiffness tangential history primitive type 1 zplane 0.0001\nrun 0\n");
+  host("group none type 2\nfix lid none wall/gran model hooke/stiffness tangential history "
+       "primitive type 1 zplane 0.0001\nrun 0\n");
   Throwing watch(host.lmp.get());
   watch.start();
   watch.overlaps(0, 0, 0);

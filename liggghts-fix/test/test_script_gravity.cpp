@@ -17,9 +17,10 @@ namespace {
 std::string two(const std::string &gravity, const std::string &more = "run 1\n")
 {
   return test::opening("f f f", "0 0.03 0 0.03 0 0.03") + test::material("coul/clump 0.01") +
-         "pair_coeff * * coul/clump 0.0\ncreate_atoms 1 single 0.01 0.01 0.01 units box\n"
-         "create_atoms 2 single 0.02 0.02 0.02 units box\nset group all diameter 2e-3\nset group all density 2600\n"
-         "group some type 2\nfix nve all nve/sphere\ntimestep 1e-5\n" + gravity + more;
+      "pair_coeff * * coul/clump 0.0\ncreate_atoms 1 single 0.01 0.01 0.01 units box\n"
+      "create_atoms 2 single 0.02 0.02 0.02 units box\nset group all diameter 2e-3\nset group all density 2600\n"
+      "group some type 2\nfix nve all nve/sphere\ntimestep 1e-5\n" +
+      gravity + more;
 }
 
 // gravity on both as the script's fixes gravity have it
@@ -47,7 +48,8 @@ void expect_as_moved(Host &host)
 TEST(ScriptGravity, severalFixesAndGroups)
 {
   Host host;
-  host(two("fix a all gravity 9.81 vector 0 0 -1\nfix b some gravity 2 vector 1 0 0\nfix c all gravity 1 vector 0 3 4\n"));
+  host(two(
+      "fix a all gravity 9.81 vector 0 0 -1\nfix b some gravity 2 vector 1 0 0\nfix c all gravity 1 vector 0 3 4\n"));
   expect_as_moved(host);
   EXPECT_NEAR(told(host)[0][2], -9.81 + 0.8, 1e-12);
   EXPECT_NEAR(told(host)[1][0], 2, 1e-12);
@@ -76,7 +78,8 @@ TEST(ScriptGravity, rampedAndTurning)
 {
   Host host;
   host(two("variable size equal 1e-2*step\nvariable angle equal 90*step/400\n"
-           "fix a all gravity v_size vector 0 0 -1\nfix b all gravity 5 chute v_angle\n", "run 100\n"));
+           "fix a all gravity v_size vector 0 0 -1\nfix b all gravity 5 chute v_angle\n",
+           "run 100\n"));
   expect_as_moved(host);
   EXPECT_NEAR(told(host)[0][2], -1. - 5 * std::cos(M_PI / 8), 1e-9);
   host("run 100");

@@ -34,8 +34,8 @@ class FixBrownian : public Fix {
   void parse(int, char **);
   void relax(int i, double mass, bool turns);
 
-  double temperature_;            // [K]
-  double viscosity_;              // without a coupling [Pa s]; 0 with one
+  double temperature_;  // [K]
+  double viscosity_;    // without a coupling [Pa s]; 0 with one
   long seed_;
   class CoupledFluid *fluid_;
   class FixMultisphere *bodies_;

@@ -13,11 +13,15 @@ TEST(ThermalKick, generatorGivesItsKnownAnswers)
   typedef r123::Philox4x64::ctr_type Counter;
   typedef r123::Philox4x64::key_type Key;
   const std::uint64_t ones = ~std::uint64_t(0);
-  struct Known { Counter counter; Key key; Counter answer; };
+  struct Known {
+    Counter counter;
+    Key key;
+    Counter answer;
+  };
   const Known all[] = {
-      {{{0, 0, 0, 0}}, {{0, 0}},
-       {{0x16554d9eca36314c, 0xdb20fe9d672d0fdc, 0xd7e772cee186176b, 0x7e68b68aec7ba23b}}},
-      {{{ones, ones, ones, ones}}, {{ones, ones}},
+      {{{0, 0, 0, 0}}, {{0, 0}}, {{0x16554d9eca36314c, 0xdb20fe9d672d0fdc, 0xd7e772cee186176b, 0x7e68b68aec7ba23b}}},
+      {{{ones, ones, ones, ones}},
+       {{ones, ones}},
        {{0x87b092c3013fe90b, 0x438c3c67be8d0224, 0x9cc7d7c69cd777b6, 0xa09caebf594f0ba0}}},
       {{{0x243f6a8885a308d3, 0x13198a2e03707344, 0xa4093822299f31d0, 0x082efa98ec4e6c89}},
        {{0x452821e638d01377, 0xbe5466cf34e90c6c}},
@@ -31,7 +35,8 @@ TEST(ThermalKick, normalsAreThoseOfTheGenerator)
 {
   double four[4];
   normals(0, 0, 0, 0, four);
-  const double bits[4] = {0x16554d9eca36314cp-64, 0xdb20fe9d672d0fdcp-64, 0xd7e772cee186176bp-64, 0x7e68b68aec7ba23bp-64};
+  const double bits[4] = {0x16554d9eca36314cp-64, 0xdb20fe9d672d0fdcp-64, 0xd7e772cee186176bp-64,
+                          0x7e68b68aec7ba23bp-64};
   for (int p = 0; p < 2; p++) {
     const double r = std::sqrt(-2 * std::log(bits[2 * p])), angle = 2 * M_PI * bits[2 * p + 1];
     EXPECT_NEAR(four[2 * p], r * std::cos(angle), 1e-14);

@@ -17,8 +17,7 @@ constexpr double boltzmann = 1.380649e-23;
 /// Four independent standard normal numbers of a particle at a step: the same on any number
 /// of processors and in any order. `stream` gives a particle more than four. Philox 4x64
 /// (Salmon, Moraes, Dror and Shaw 2011) of the counter (tag, step, stream), then Box and Muller.
-inline void normals(std::uint64_t seed, std::uint64_t tag, std::uint64_t step, std::uint64_t stream,
-                    double *four)
+inline void normals(std::uint64_t seed, std::uint64_t tag, std::uint64_t step, std::uint64_t stream, double *four)
 {
   const auto bits = r123::Philox4x64()({{tag, step, stream, 0}}, {{seed, 0}});
   for (int p = 0; p < 2; p++) {

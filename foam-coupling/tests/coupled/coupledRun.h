@@ -33,7 +33,10 @@ class CoupledRun {
   void mesh();
   /// Runs both halves; returns mpirun's exit status.
   int run();
-  int meshAndRun() { mesh(); return run(); }
+  int meshAndRun() {
+    mesh();
+    return run();
+  }
 
   /// What both halves printed.
   const std::string& log() const { return log_; }

@@ -67,8 +67,11 @@ struct Sphere {
 class Suspension {
  public:
   explicit Suspension(const Settings& s)
-      : radius_(s.number("radius", 1e-3)), gravity_(s.vec("gravity", {})),
-        lo_(s.vec("lo", {})), hi_(s.vec("hi", {})), wrap_(s.vec("wrap", {})),
+      : radius_(s.number("radius", 1e-3)),
+        gravity_(s.vec("gravity", {})),
+        lo_(s.vec("lo", {})),
+        hi_(s.vec("hi", {})),
+        wrap_(s.vec("wrap", {})),
         frozen_(s.number("frozen", 0) > 0) {
     volume_ = 4 / 3. * M_PI * radius_ * radius_ * radius_;
     mass_ = volume_ * s.number("density", 2600);
@@ -167,9 +170,9 @@ class Suspension {
     t.box.hi = hi_;
     t.particles = total_;
     t.maxRadius = radius_;
-    t.offers = {Field::position, Field::radius, Field::volume, Field::velocity,
-                Field::tag, Field::impulse, Field::mass,
-                Field::meanVelocity, Field::otherForce, Field::touched};
+    t.offers = {Field::position,   Field::radius,  Field::volume, Field::velocity,
+                Field::tag,        Field::impulse, Field::mass,   Field::meanVelocity,
+                Field::otherForce, Field::touched};
     t.needs = {Field::dragCoefficient, Field::fluidVelocity, Field::force};
     return t;
   }
@@ -183,8 +186,7 @@ class Suspension {
       sum[3] += 1;
       sum[4] += p.x[2];
     }
-    MPI_Allreduce(MPI_IN_PLACE, sum.data(), 5, MPI_DOUBLE, MPI_SUM,
-                  clay::World::instance().half());
+    MPI_Allreduce(MPI_IN_PLACE, sum.data(), 5, MPI_DOUBLE, MPI_SUM, clay::World::instance().half());
     nlohmann::json j;
     j["count"] = sum[3];
     j["velocity"] = {sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]};

@@ -52,7 +52,8 @@ double meanVelocity(const CoupledRun& run) {
   const auto history = run.history();
   double sum = 0;
   const std::size_t half = history.size() / 2;
-  for (std::size_t i = half; i < history.size(); ++i) sum += history[i]["velocity"][2].get<double>();
+  for (std::size_t i = half; i < history.size(); ++i)
+    sum += history[i]["velocity"][2].get<double>();
   return sum / static_cast<double>(history.size() - half);
 }
 
@@ -100,17 +101,15 @@ TEST_P(ClosedColumn, SettlesByTheLaw) {
 INSTANTIATE_TEST_SUITE_P(
     Ways, ClosedColumn,
     testing::Values(
-        Column{"modelA", "", 0.1, 2e-3},
-        Column{"dense", "", 0.15, 2e-3},
-        Column{"modelB", "model B;", 0.1, 2e-3},
-        Column{"sequential", "overlap no;", 0.1, 2e-3},
+        Column{"modelA", "", 0.1, 2e-3}, Column{"dense", "", 0.15, 2e-3},
+        Column{"modelB", "model B;", 0.1, 2e-3}, Column{"sequential", "overlap no;", 0.1, 2e-3},
         Column{"viscous", "forceModels (pressureGradient viscous buoyancy);", 0.1, 2e-3},
         Column{"cell", "interpolation cell;", 0.1, 2e-3},
         Column{"cellPoint", "interpolation cellPoint;", 0.1, 2e-2},
         Column{"centre", "voidFractionModel centre;", 0.1, 2e-2},
         Column{"divided", "voidFractionModel divided;", 0.1, 2e-2},
-        Column{"smoothed", "smoothingModel diffusion; diffusionCoeffs { bandwidth 6e-3; }",
-               0.1, 2e-2}),
+        Column{"smoothed", "smoothingModel diffusion; diffusionCoeffs { bandwidth 6e-3; }", 0.1,
+               2e-2}),
     [](const auto& info) { return info.param.name; });
 
 TEST(ClosedColumnFine, IsStableWhenDragIsStiff) {
@@ -187,12 +186,13 @@ TEST_P(PeriodicBox, KeepsMomentumAndRelaxes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Limits, PeriodicBox,
-    testing::Values(Limit{0.01, 1e-4, true}, Limit{0.01, 0.1, true}, Limit{0.01, 1e4, true},
-                    Limit{1, 1e-3, true}, Limit{1, 1, true}, Limit{1, 1e4, true},
-                    Limit{1, 1, false}, Limit{100, 1e-3, true}, Limit{100, 0.1, true},
-                    Limit{100, 1, true}, Limit{100, 1e4, true}, Limit{100, 1e4, false}));
+INSTANTIATE_TEST_SUITE_P(Limits, PeriodicBox,
+                         testing::Values(Limit{0.01, 1e-4, true}, Limit{0.01, 0.1, true},
+                                         Limit{0.01, 1e4, true}, Limit{1, 1e-3, true},
+                                         Limit{1, 1, true}, Limit{1, 1e4, true}, Limit{1, 1, false},
+                                         Limit{100, 1e-3, true}, Limit{100, 0.1, true},
+                                         Limit{100, 1, true}, Limit{100, 1e4, true},
+                                         Limit{100, 1e4, false}));
 
 // Spheres that move through the middle of a periodic box: what they lose, the
 // fluid's n U gains, although n varies in space and time. n U is summed up from
@@ -200,9 +200,10 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(MovingCloud, KeepsMomentumOfParticlesAndFluid) {
   const double v0[] = {0.05, 0, 0.03}, volume = 0.04 * 0.04 * 0.04;
   CoupledRun run("moving-cloud");
-  run.box("x1 0.04; y1 0.04; z1 0.04; nx 8; ny 8; nz 8; sideType cyclic; bottomType cyclic;"
-          "topType cyclic; sideU cyclic; bottomU cyclic; topU cyclic; sideP cyclic;"
-          "bottomP cyclic; topP cyclic; nu 1e-6; deltaT 2e-4;");
+  run.box(
+      "x1 0.04; y1 0.04; z1 0.04; nx 8; ny 8; nz 8; sideType cyclic; bottomType cyclic;"
+      "topType cyclic; sideU cyclic; bottomU cyclic; topU cyclic; sideP cyclic;"
+      "bottomP cyclic; topP cyclic; nu 1e-6; deltaT 2e-4;");
   run.properties("forceModels (pressureGradient); voidFractionModel exactOverlap;");
   run.dem("hi", "0.04,0.04,0.04").dem("wrap", "1,1,1").dem("density", rhoP);
   run.dem("from", "0.01,0.01,0.01").dem("to", "0.03,0.03,0.03").dem("count", "6,6,6");

@@ -156,10 +156,11 @@ TEST(Turbulence, KEpsilonOfTheFluidInABed) {
   scalarField(run, "nut", "[0 2 -1 0 0 0 0]", 0.09 * in.k * in.k / in.second);
   run.properties("dragModel Stokes;").dem("steps", 6000);
   ASSERT_EQ(run.meshAndRun(), 0) << run.log();
-  expectRows(run, "epsilon", rows(bed, run, in, [](const Row& r, double divU, double GbyNu) {
-    const double C1 = 1.44, C2 = 1.92, time = r.k / r.second, G = 0.09 * time * GbyNu;
-    return std::pair{G - 2 / 3. * divU - 1 / time, C1 * G - 2 / 3. * C1 * divU - C2 / time};
-  }));
+  expectRows(
+      run, "epsilon", rows(bed, run, in, [](const Row& r, double divU, double GbyNu) {
+        const double C1 = 1.44, C2 = 1.92, time = r.k / r.second, G = 0.09 * time * GbyNu;
+        return std::pair{G - 2 / 3. * divU - 1 / time, C1 * G - 2 / 3. * C1 * divU - C2 / time};
+      }));
 }
 
 TEST(Turbulence, KOmegaSSTOfTheFluidInABed) {
@@ -173,18 +174,19 @@ TEST(Turbulence, KOmegaSSTOfTheFluidInABed) {
   run.properties("dragModel Stokes;").dem("steps", 6000);
   ASSERT_EQ(run.meshAndRun(), 0) << run.log();
   expectRows(run, "omega", rows(bed, run, in, [](const Row& r, double divU, double GbyNu) {
-    const double betaStar = 0.09, beta2 = 0.0828, gamma2 = 0.44, w = r.second;
-    return std::pair{GbyNu / w - 2 / 3. * divU - betaStar * w,
-                     gamma2 * GbyNu / w - 2 / 3. * gamma2 * divU - beta2 * w};
-  }));
+               const double betaStar = 0.09, beta2 = 0.0828, gamma2 = 0.44, w = r.second;
+               return std::pair{GbyNu / w - 2 / 3. * divU - betaStar * w,
+                                gamma2 * GbyNu / w - 2 / 3. * gamma2 * divU - beta2 * w};
+             }));
 }
 
 // nut of a shear flow, and the stress that goes with it
 TEST(Turbulence, SmagorinskyInAShearFlow) {
   CoupledRun run("Smagorinsky");
   const double H = 0.08;
-  run.box("x1 0.02; y1 0.02; z1 0.08; nx 2; ny 2; nz 8; sideType cyclic; sideU cyclic;"
-          "sideP cyclic; bottomType wall; topType wall; bottomU noSlip; topU fixedValue; nu 4e-3;");
+  run.box(
+      "x1 0.02; y1 0.02; z1 0.08; nx 2; ny 2; nz 8; sideType cyclic; sideU cyclic;"
+      "sideP cyclic; bottomType wall; topType wall; bottomU noSlip; topU fixedValue; nu 4e-3;");
   run.edit("0/U", "{ type $topU; }", "{ type $topU; value uniform (1 0 0); }");
   turbulence(run, "LES", "Smagorinsky");
   std::ofstream(run.path() / "0" / "nut")
@@ -193,7 +195,11 @@ TEST(Turbulence, SmagorinskyInAShearFlow) {
       << "    \"(left|right|front|back)\" { type cyclic; }\n"
       << "    \"(bottom|top)\" { type zeroGradient; }\n}\n";
   run.properties("dragModel Stokes;").dem("hi", "0.02,0.02,0.08").dem("from", "0.009,0.009,0.04");
-  run.dem("to", "0.01,0.01,0.041").dem("frozen", 1).dem("radius", 1e-8).dem("step", 1e-3).dem("steps", 4000);
+  run.dem("to", "0.01,0.01,0.041")
+      .dem("frozen", 1)
+      .dem("radius", 1e-8)
+      .dem("step", 1e-3)
+      .dem("steps", 4000);
   ASSERT_EQ(run.meshAndRun(), 0) << run.log();
 
   const double Ck = 0.094, Ce = 1.048, delta = 0.01, slope = 1 / H;
@@ -234,7 +240,8 @@ namespace {
 CoupledRun single(const std::string& name, const std::string& transport) {
   CoupledRun run(name);
   run.box("x1 0.1; y1 0.1; z1 0.1; nx 5; ny 5; nz 5;");
-  run.edit("constant/transportProperties", "transportModel  Newtonian;\nnu              $nu;", transport);
+  run.edit("constant/transportProperties", "transportModel  Newtonian;\nnu              $nu;",
+           transport);
   run.properties("dragModel Stokes; frozenFluid yes;");
   run.dem("hi", "0.1,0.1,0.1").dem("from", "0.05,0.05,0.05").dem("to", "0.06,0.06,0.06");
   run.dem("radius", 1e-3).dem("gravity", "0,0,-9.81").dem("density", 2600).dem("steps", 8000);
@@ -246,7 +253,8 @@ constexpr double weight = 1600 * 9.81 * pi / 6 * 8e-9;  // of a sphere of 2 mm i
 }  // namespace
 
 TEST(Viscosity, ANewtonianLimitGivesStokesDrag) {
-  auto run = single("bird-carreau", "transportModel BirdCarreau;\n"
+  auto run = single("bird-carreau",
+                    "transportModel BirdCarreau;\n"
                     "BirdCarreauCoeffs { nu0 1e-3; nuInf 1e-3; k 1; n 0.5; }");
   ASSERT_EQ(run.meshAndRun(), 0) << run.log();
   EXPECT_NEAR(-run.lastVelocity() / (weight / (3 * pi * 1 * 2e-3)), 1, 5e-3);
@@ -273,11 +281,13 @@ TEST(Viscosity, AYieldStressHoldsAGrainOrLetsItFall) {
   EXPECT_GT(-creeps.lastVelocity(), 0);
 }
 
-// Between two walls, driven by a body force G: U = n/(n + 1) (G/k)^(1/n) (h^(1 + 1/n) - z^(1 + 1/n))
+// Between two walls, driven by a body force G: U = n/(n + 1) (G/k)^(1/n) (h^(1 + 1/n) - z^(1 +
+// 1/n))
 TEST(Viscosity, APowerLawFluidFlowsByItsProfile) {
   CoupledRun run("power-law");
   const double h = 0.04, n = 0.5, k = 1e-2, G = 0.7;
-  run.box("x1 0.02; y1 0.02; z1 0.08; nx 2; ny 2; nz 32; sideType cyclic; sideU cyclic; sideP cyclic;");
+  run.box(
+      "x1 0.02; y1 0.02; z1 0.08; nx 2; ny 2; nz 32; sideType cyclic; sideU cyclic; sideP cyclic;");
   run.edit("constant/transportProperties", "transportModel  Newtonian;\nnu              $nu;",
            "transportModel powerLaw; powerLawCoeffs { k 1e-2; n 0.5; nuMin 1e-6; nuMax 1; }");
   std::ofstream(run.path() / "system" / "fvOptions")
@@ -285,11 +295,16 @@ TEST(Viscosity, APowerLawFluidFlowsByItsProfile) {
       << "drive { type vectorSemiImplicitSource; active yes; selectionMode all;\n"
       << "  volumeMode specific; injectionRateSuSp { U ((" << G << " 0 0) 0); } }\n";
   run.properties("dragModel Stokes;").dem("hi", "0.02,0.02,0.08").dem("from", "0.009,0.009,0.04");
-  run.dem("to", "0.01,0.01,0.041").dem("frozen", 1).dem("radius", 1e-8).dem("step", 1e-3).dem("steps", 3000);
+  run.dem("to", "0.01,0.01,0.041")
+      .dem("frozen", 1)
+      .dem("radius", 1e-8)
+      .dem("step", 1e-3)
+      .dem("steps", 3000);
   ASSERT_EQ(run.meshAndRun(), 0) << run.log();
   const auto U = run.values("U");
   ASSERT_EQ(U.size(), 128u);
-  const double factor = n / (n + 1) * std::pow(G / k, 1 / n), most = factor * std::pow(h, 1 + 1 / n);
+  const double factor = n / (n + 1) * std::pow(G / k, 1 / n),
+               most = factor * std::pow(h, 1 + 1 / n);
   for (std::size_t row = 0; row < 32; ++row) {
     const double z = std::fabs((static_cast<double>(row) + 0.5) * 0.0025 - h);
     EXPECT_NEAR(U[4 * row][0] / most, 1 - std::pow(z / h, 1 + 1 / n), 0.01) << row;

@@ -13,8 +13,9 @@ namespace {
 /// A small column that would run well.
 CoupledRun column(const std::string& name) {
   CoupledRun run(name);
-  run.box("x1 0.02; y1 0.02; z1 0.04; nx 2; ny 2; nz 4; topType patch; topU zeroGradient;"
-          "topP fixedValue;");
+  run.box(
+      "x1 0.02; y1 0.02; z1 0.04; nx 2; ny 2; nz 4; topType patch; topU zeroGradient;"
+      "topP fixedValue;");
   run.dem("hi", "0.02,0.02,0.04").dem("from", "0,0,0.02").dem("count", "4,4,4");
   run.dem("to", "0.02,0.02,0.04").dem("gravity", "0,0,-9.81").dem("steps", 200);
   return run;
@@ -52,7 +53,8 @@ TEST_P(Dictionary, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     All, Dictionary,
     testing::Values(
-        Bad{"entry", "dragModell ergunWenYu;", "unknown entry dragModell; the nearest known one is dragModel"},
+        Bad{"entry", "dragModell ergunWenYu;",
+            "unknown entry dragModell; the nearest known one is dragModel"},
         Bad{"coeffs", "ergunWenYCoeffs {}", "the nearest known one is ergunWenYuCoeffs"},
         Bad{"unselected", "dragModel DiFelice; ergunWenYuBlendedCoeffs { width 0.1; }",
             "unknown entry ergunWenYuBlendedCoeffs; dragModel is DiFelice"},

@@ -7,8 +7,9 @@ from validation.lib.checks import linters
 from validation.lib.checks.coupled import TOP
 
 TITLE = "the linters: clang-format, the hosts' styles, shellcheck, ruff, flake8"
-_FORMATTED = ("exchange",)
-_STYLED = {"exchange": ((".cpp", ".h"), 100, False)}  # endings, columns, whether braces stand on lines of their own
+_FORMATTED = ("exchange", "liggghts-fix", "foam-coupling/tests/coupled")
+_STYLED = {"exchange": ((".cpp", ".h"), 100, False), "liggghts-fix": ((".cpp", ".h"), 120, False),
+           "foam-coupling": ((".C", ".H"), 80, True)}  # endings, columns, whether braces stand on lines of their own
 _PYTHON = ["/usr/bin/python3", "-E", "-s", "-m"]
 
 

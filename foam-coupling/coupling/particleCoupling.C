@@ -401,7 +401,8 @@ void Foam::particleCoupling::checkFields() const
             os  << "the fluid is NaN or infinite at time "
                 << mesh_.time().value() << " s, cell " << celli
                 << " at " << mesh_.C()[celli] << " m: U " << u
-                << ", p " << p_[celli] << "; a smaller maxCo or deltaT may help";
+                << ", p " << p_[celli]
+                << "; a smaller maxCo or deltaT may help";
             found[Pstream::myProcNo()] = os.str();
             break;
         }

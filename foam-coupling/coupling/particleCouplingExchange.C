@@ -499,7 +499,8 @@ bool Foam::particleCoupling::next()
             {
                 Info<< "clayFoam: warning: at time " << time_
                     << " s drag is stiff for the coupling interval of "
-                    << interval_ << " s: the fluid is solved first in such intervals"
+                    << interval_
+                    << " s: the fluid is solved first in such intervals"
                     << endl;
             }
         }

@@ -161,7 +161,10 @@ void CouplingReport::line(const clay::DemSession &session)
     fprintf(screen, "clayFoam: %s\n", text.c_str());
     fflush(screen);
   }
-  if (logfile) fprintf(logfile, "clayFoam: %s\n", text.c_str());
+  if (logfile) {
+    fprintf(logfile, "clayFoam: %s\n", text.c_str());
+    fflush(logfile);
+  }
 }
 
 /* ---------------------------------------------------------------------- */
@@ -171,7 +174,7 @@ void CouplingReport::finish(const clay::DemSession &session, int interval, doubl
   wall_ += MPI_Wtime() - began_;
   cpu_ += double(std::clock() - cpu_began_ - cpu_waited_) / CLOCKS_PER_SEC;
   output_ += timer->array[TIME_OUTPUT];
-  steps_ += update->laststep - update->firststep;
+  steps_ += update->ntimestep - update->firststep;
 
   const clay::Timing &timing = session.timing();
   double mine[7] = {wall_, timing.exchange, timing.waiting, output_, overlap_, wall_overlap, cpu_}, worst[7];

@@ -15,9 +15,11 @@
 #include "coupling/coupling_report.h"
 #include "coupling/run_checks.h"
 #include "coupling/runaway_watch.h"
+#include "coupling/stop_signals.h"
 #include "domain.h"
 #include "error.h"
 #include "exchange/session.h"
+#include "exchange/world.h"
 #include "memory.h"
 #include "modify.h"
 #include "thermal/fix_brownian.h"
@@ -72,6 +74,7 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   }
   if (settings_.watch) watch_.reset(new RunawayWatch(lmp));
 
+  clay::listen_for_stops(true);
   nevery = 1;
   time_depend = 1;
   create_attribute = 1;  // set_arrays for particles inserted within a run
@@ -86,6 +89,7 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
 
 FixCoupleFoam::~FixCoupleFoam()
 {
+  clay::listen_for_stops(false);
   if (session_) session_->close();
   Fix *ms = modify ? modify->find_fix_style("multisphere", 0) : NULL;
   if (FixMultisphereClump *bodies = dynamic_cast<FixMultisphereClump *>(ms)) bodies->uncouple();
@@ -348,8 +352,34 @@ void FixCoupleFoam::end_of_step()
   if (watch_) watch_->step();
   if ((update->ntimestep - update->firststep) % settings_.interval) return;
   refuse([&] { clay::check_step(dt_, update->dt); });
+  if (update->ntimestep < update->laststep)
+    if (const int signal = agreed_stop()) stop(signal);
   if (settings_.contactLimit && ++exchanges_ % 50 == 0) watch_contact_limit();
   send(update->ntimestep == update->laststep);
+}
+
+/* ----------------------------------------------------------------------
+   the signal that one of the ranks was sent, the same on all; 0: none
+------------------------------------------------------------------------- */
+
+int FixCoupleFoam::agreed_stop() const
+{
+  int mine = clay::noted_stop(), any = mine;
+  if (comm->nprocs > 1) MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  return any;
+}
+
+/* ----------------------------------------------------------------------
+   a run that ends too early ends both halves, with an error: what it has so
+   far is told, but it is not finished. signal 0: LIGGGHTS left its loop
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::stop(int signal)
+{
+  if (pending_) take_answer();
+  report_->finish(*session_, settings_.interval, watch_ ? watch_->wall_overlap() : 0.);
+  const double left = (update->laststep - update->ntimestep) * update->dt, now = update->get_cur_time();
+  clay::abandon(clay::stop_reason(signal, now, now + left));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -357,6 +387,7 @@ void FixCoupleFoam::end_of_step()
 void FixCoupleFoam::post_run()
 {
   if (idle_) return;
+  if (update->ntimestep < update->laststep) stop(agreed_stop());
   if (pending_) take_answer();
   report_->finish(*session_, settings_.interval, watch_ ? watch_->wall_overlap() : 0.);
 }

@@ -89,6 +89,8 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   clay::DemTerms terms();
   void open();
   void send(bool last);
+  int agreed_stop() const;
+  void stop(int signal);
   void pack_clumps(int first);
   void tell_motions();
   void check_finite();

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "coupling/stop_signals.h"
 #include "exchange/world.h"
 #include "input.h"
 #include "lammps.h"
@@ -18,17 +19,31 @@ const clay::Half clay::programHalf = clay::Half::dem;
 
 namespace {
 
-// as LIGGGHTS does: write a restart on the first signal, quit on the second
+// as LIGGGHTS does, where no coupled run listens: write a restart on the first
+// signal, quit on the second
+void on_stop(int signal)
+{
+  if (!clay::note_stop(signal)) SignalHandler::int_handler(signal);
+}
+
+void on_save(int signal)
+{
+  if (!clay::note_stop(signal)) SignalHandler::usr1_handler(signal);
+}
+
 void handle_signals()
 {
-  struct sigaction stop, save;
+  struct sigaction stop, save, before;
   std::memset(&stop, 0, sizeof stop);
   std::memset(&save, 0, sizeof save);
-  stop.sa_handler = SignalHandler::int_handler;
-  save.sa_handler = SignalHandler::usr1_handler;
+  stop.sa_handler = on_stop;
+  save.sa_handler = on_save;
+  // also where a shell has a background job ignore it
   sigaction(SIGINT, &stop, nullptr);
   sigaction(SIGTERM, &stop, nullptr);
   sigaction(SIGUSR1, &save, nullptr);
+  // but nohup means what it says
+  if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(SIGHUP, &stop, nullptr);
 }
 
 }

@@ -31,6 +31,8 @@ set(CLAYFOAM_MODEL_SOURCES
   smoothingModels/diffusion/diffusionSmoothing.C
   selfDisturbanceModels/selfDisturbanceModel/selfDisturbanceModel.C
   selfDisturbanceModels/none/noSelfDisturbance.C
+  selfDisturbanceModels/latticeMemory/latticeHeat.C
+  selfDisturbanceModels/latticeMemory/latticeWeights.C
   selfDisturbanceModels/latticeMemory/latticeResponse.C
   selfDisturbanceModels/latticeMemory/disturbanceHistory.C
   selfDisturbanceModels/latticeMemory/latticeMemory.C

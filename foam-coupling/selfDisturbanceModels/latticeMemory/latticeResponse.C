@@ -12,94 +12,9 @@ namespace
 
 using Foam::scalar;
 
-constexpr int count = Foam::latticeResponse::reach + 1;
-
-// the heat kernel of a line of cells and what the responses need of it
-struct line
-{
-    double p[count], mean[count], curve[count], meanCurve[count], slope[count],
-        curve2[count];
-};
-
-// p_n = 1/pi int_0^pi cos(n k) exp(-2x (1 - cos k)) dk
-void heat(const double x, const double a, line& l)
-{
-    constexpr int points = 512;
-    static const std::vector<double> cosines = []()
-    {
-        std::vector<double> c(2*points);
-        for (int m = 0; m < 2*points; ++m)
-        {
-            c[m] = std::cos(M_PI*m/points);
-        }
-        return c;
-    }();
-
-    constexpr int needed = count + 3;
-    double p[needed] = {};
-    if (x > 0)
-    {
-        for (int m = 0; m <= points; ++m)
-        {
-            const double e =
-                std::exp(-2*x*(1 - cosines[m]))
-               *(m == 0 || m == points ? 0.5 : 1)/points;
-            for (int n = 0; n < needed; ++n)
-            {
-                p[n] += e*cosines[(n*m) % (2*points)];
-            }
-        }
-    }
-    else
-    {
-        p[0] = 1;
-    }
-
-    const auto at = [&](const int n) { return p[std::abs(n)]; };
-    const auto mean = [&](const int n)
-    {
-        return (at(n - 1) + 2*at(n) + at(n + 1))/4;
-    };
-    for (int n = 0; n < count; ++n)
-    {
-        l.p[n] = at(n);
-        l.mean[n] = mean(n);
-        l.curve[n] = a*(2*at(n) - at(n - 1) - at(n + 1));
-        // 1 - (s h)^2/4 is the mean's transform
-        const auto curve = [&](const int m)
-        {
-            return a*(2*at(m) - at(m - 1) - at(m + 1));
-        };
-        l.curve2[n] = a*(2*curve(n) - curve(n - 1) - curve(n + 1));
-        l.meanCurve[n] = (curve(n - 1) + 2*curve(n) + curve(n + 1))/4;
-        l.slope[n] = std::sqrt(a)*(at(n + 1) - at(n - 1))/2;
-    }
-}
-
 // order of a symmTensor: xx xy xz yy yz zz
 constexpr int first[6] = {0, 0, 0, 1, 1, 2}, second[6] = {0, 1, 2, 1, 2, 2};
 
-}
-
-
-void Foam::latticeLine::add(const scalar x, const scalar w)
-{
-    const scalar below = std::floor(x + 1e-9);
-    const scalar above = max(0.0, x - below);
-    const auto put = [&](const int o, const scalar v)
-    {
-        if (v != 0 && o >= -half && o <= half)
-        {
-            weight[o + half] += v;
-            lo = std::min(lo, o);
-            hi = std::max(hi, o);
-        }
-    };
-    if (std::fabs(below) < 1e6)
-    {
-        put(int(below), w*(1 - above));
-        put(int(below) + 1, above > 1e-9 ? w*above : 0);
-    }
 }
 
 
@@ -133,7 +48,7 @@ Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
     constexpr int last = fine*perOctave_*21;
     std::vector<double> sum(size_t(offsets_)*width, 0.0), g(sum), before(sum);
     double thetaBefore = 0;
-    std::array<line, 3> lines;
+    std::array<latticeHeat, 3> lines;
 
     const auto keep = [&](const int k)
     {
@@ -154,7 +69,7 @@ Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
             f < 0 ? 0 : thetaMin_*std::exp2(f/double(fine*perOctave_));
         for (int d = 0; d < 3; ++d)
         {
-            heat(a[d]*theta, a[d], lines[d]);
+            lines[d].set(a[d]*theta, a[d]);
         }
 
         const bool kept = f >= 0 && theta > spread;
@@ -169,7 +84,9 @@ Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
                 if (i == j)
                 {
                     const int y = (i + 1) % 3, z = (i + 2) % 3;
-                    const line &lx = lines[i], &ly = lines[y], &lz = lines[z];
+                    const latticeHeat& lx = lines[i];
+                    const latticeHeat& ly = lines[y];
+                    const latticeHeat& lz = lines[z];
                     go[c] = lx.mean[n[i]]
                        *(ly.curve[n[y]]*lz.p[n[z]] + ly.p[n[y]]*lz.curve[n[z]]);
                     go[6 + c] = lx.meanCurve[n[i]]*ly.p[n[y]]*lz.p[n[z]];
@@ -188,7 +105,9 @@ Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
                 go[12 + i] = -lines[i].slope[n[i]]
                    *lines[y].p[n[y]]*lines[z].p[n[z]];
 
-                const line &lx = lines[i], &ly = lines[y], &lz = lines[z];
+                const latticeHeat& lx = lines[i];
+                const latticeHeat& ly = lines[y];
+                const latticeHeat& lz = lines[z];
                 go[15 + i] = 0.25/a[i]*
                 (
                     lx.curve2[n[i]]*ly.p[n[y]]*lz.p[n[z]]
@@ -264,7 +183,7 @@ Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
 
     for (int d = 0; d < 3; ++d)
     {
-        heat(a[d]*spread, a[d], lines[d]);
+        lines[d].set(a[d]*spread, a[d]);
     }
     for (int o = 0; o < offsets_; ++o)
     {

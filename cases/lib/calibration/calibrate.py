@@ -5,7 +5,6 @@ import argparse
 import csv
 import json
 import os
-import sys
 
 import numpy as np
 
@@ -13,7 +12,7 @@ from cases.lib.calibration import caldata, calloop
 from cases.lib.case import settings
 from cases.lib.case.casefile import Case, text
 from cases.lib.case.errors import CaseError
-from cases.lib.case.program import guarded
+from cases.lib.case.program import run as run_program
 from cases.lib.run import launch, runs
 
 _ONE_STAGE = "the measured curve shows one stage only; the charge shows in the second"
@@ -239,4 +238,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(guarded(main, "cases/calibrate"))
+    run_program(main, "cases/calibrate")

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from cases.lib.case.casefile import Case
 from cases.lib.case.errors import CaseError
-from cases.lib.case.program import guarded
+from cases.lib.case.program import run as run_program
 from cases.lib.case.suspension import resolve
 
 PROGRAM = "cases/scaling"
@@ -42,4 +42,4 @@ def main(words=None):
 
 
 if __name__ == "__main__":
-    sys.exit(guarded(main, PROGRAM))
+    run_program(main, PROGRAM)

@@ -4,14 +4,13 @@
 import argparse
 import json
 import os
-import sys
 
 import numpy as np
 
 from cases.lib.calibration import curvefile, stagefit
 from cases.lib.case import settings
 from cases.lib.case.errors import CaseError, nearest
-from cases.lib.case.program import guarded
+from cases.lib.case.program import run as run_program
 
 _TIMES = {"s": "s", "d": "d", "days": "d", "day": "d", "h": "h", "min": "min"}
 _LEAST_ROWS = 12
@@ -203,4 +202,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(guarded(main, "cases/stages"))
+    run_program(main, "cases/stages")

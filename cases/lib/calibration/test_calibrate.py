@@ -214,7 +214,8 @@ SCRIPT = textwrap.dedent("""
     with open(os.path.join(folder, "settling.csv"), "w") as f:
         f.write("time_s,interface_m\\n")
         f.writelines(f"{t},{0.15 * y}\\n" for t, y in zip(*curve(q, seed, creep=0.0)))
-    open(os.path.join(folder, "summary.json"), "w").close()
+    with open(os.path.join(folder, "summary.json"), "w") as f:
+        f.write('{"complete": true}')
     """)
 
 

@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 
+from cases.lib.case import files, stops
 from cases.lib.case.errors import CaseError
 
 
@@ -27,9 +28,10 @@ def run(program, case, *options):
         raise CaseError(f"OpenFOAM's {program} is not on the PATH")
     case = os.path.abspath(case)
     log = os.path.join(case, "log." + program)
-    with open(log, "w", encoding="utf-8") as f:
+    with files.naming(case), open(log, "w", encoding="utf-8") as f:
         status = subprocess.run([program, "-case", case, *options], stdout=f, check=False, cwd=case,
-                                stderr=subprocess.STDOUT, env={**os.environ, **environment()}).returncode
+                                stderr=subprocess.STDOUT, env={**os.environ, **environment()},
+                                preexec_fn=stops.die_with_parent()).returncode
     if status:
         raise CaseError(f"{program} failed: {error_line(log)} (log in {log})")
 
@@ -67,10 +69,11 @@ def internal_field(path, count):
     if not match:
         raise CaseError(f"{path}: no internal field in ascii")
     # a short list stands on one line
-    end = re.compile(r"\)\s*;").search(content, match.end()).start()
-    body = content[match.end():end].replace("(", " ").replace(")", " ")
-    values = np.array(body.split(), dtype=float)
-    return values.reshape(int(match.group(1)), -1)
+    end = re.compile(r"\)\s*;").search(content, match.end())
+    body = content[match.end():end.start()].replace("(", " ").replace(")", " ").split() if end else []
+    if not body or len(body) % int(match.group(1)):
+        raise CaseError(f"{path}: is not whole")
+    return np.array(body, dtype=float).reshape(int(match.group(1)), -1)
 
 
 def cell_centres(mesh):

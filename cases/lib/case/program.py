@@ -1,24 +1,58 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """How a program of cases/ ends."""
 
+import contextlib
 import os
 import sys
 
+from cases.lib.case import stops
 from cases.lib.case.errors import CaseError
 
 
 def guarded(work, program):
     """A program's exit code; bad input is said in one line."""
     try:
-        return work()
+        status = work()
+        sys.stdout.flush()
+        return status
     except CaseError as e:
-        print(f"{program}: {e}", file=sys.stderr)
-        return 2
+        return _said(program, e, 2)
+    except stops.Stopped as e:
+        return _said(program, f"ended by {e}; what was finished is kept", 128 + e.signal)
     except KeyboardInterrupt:
-        print(f"{program}: interrupted; what was finished is kept", file=sys.stderr)
-        return 130
+        return _said(program, "interrupted; what was finished is kept", 130)
     except BrokenPipeError:
         os._exit(1)
     except OSError as e:
-        print(f"{program}: {e.filename}: {e.strerror}" if e.filename else f"{program}: {e}", file=sys.stderr)
-        return 2
+        return _said(program, said(e), 2)
+    except RecursionError:
+        return _said(program, "an input is nested too deep", 2)
+    except MemoryError:
+        return _said(program, "the memory does not suffice; take fewer particles or cells", 2)
+
+
+def said(error):
+    """An error in one line; one of the system with the place it is about."""
+    named = isinstance(error, OSError) and error.filename and error.strerror
+    return f"{error.filename}: {error.strerror}" if named else " ".join(str(error).split())
+
+
+def _said(program, what, status):
+    """Says why a program ends, in one line, if there is somebody to hear it."""
+    with contextlib.suppress(OSError, ValueError, AttributeError):
+        print(f"{program}: {what}", file=sys.stderr)
+    return status
+
+
+def run(work, program):
+    """Runs a program to its end: what python3 is started for."""
+    for stream, name in ((sys.stdout, "stdout"), (sys.stderr, "stderr")):
+        if stream is None:  # closed by who called it
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))
+    stops.heed()
+    status = guarded(work, program)
+    try:
+        sys.stdout.flush()
+    except OSError:  # nobody listens, or the disk is full
+        os._exit(status or 1)
+    sys.exit(status)

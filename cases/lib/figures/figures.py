@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from cases.lib.case import settings
 from cases.lib.case.casefile import TOP
 from cases.lib.case.errors import CaseError, nearest
-from cases.lib.case.program import guarded
+from cases.lib.case.program import run as run_program
 from cases.lib.run import runs
 
 #: The figures there are: what each shows, and the module that draws it. A module
@@ -152,4 +152,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(guarded(main, "cases/figures"))
+    run_program(main, "cases/figures")

@@ -11,7 +11,7 @@ import sys
 from cases.lib.case import settings
 from cases.lib.case.casefile import Case, text
 from cases.lib.case.errors import CaseError
-from cases.lib.case.program import guarded
+from cases.lib.case.program import run as run_program
 from cases.lib.run import launch, runs
 
 #: What is compared: key of kynch_measure.Measured.numbers, words, factor and
@@ -293,4 +293,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(guarded(main, "cases/kynch"))
+    run_program(main, "cases/kynch")

@@ -15,6 +15,8 @@ import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 
+from cases.lib.case import files
+from cases.lib.case.errors import CaseError
 from cases.lib.output import spheres
 
 
@@ -30,13 +32,21 @@ def write(path, s):
         path, file_format="vtu", binary=True, compression=None)
 
 
-def time_series(folder, dem_step):
-    """A .vtu a dump, and DEM/spheres.pvd with the time of each."""
+def time_series(folder, dem_step, torn=False):
+    """A .vtu a dump, and DEM/spheres.pvd with the time of each; torn: dumps that are not whole are left out."""
     root = ElementTree.Element("VTKFile", type="Collection", version="0.1")
     collection = ElementTree.SubElement(root, "Collection")
     for step, path in spheres.dumps(folder):
         target = path[:-len(".dump")] + ".vtu"
-        write(target, spheres.read(path))
+        try:
+            found = spheres.read(path)
+        except CaseError:
+            if not torn:
+                raise
+            continue
+        with files.fresh(target) as part:
+            write(part, found)
         ElementTree.SubElement(collection, "DataSet", timestep=f"{step * dem_step:.9g}", file=os.path.basename(target))
     ElementTree.indent(root)
-    ElementTree.ElementTree(root).write(os.path.join(folder, "DEM", "spheres.pvd"), "utf-8", xml_declaration=True)
+    with files.fresh(os.path.join(folder, "DEM", "spheres.pvd")) as part:
+        ElementTree.ElementTree(root).write(part, "utf-8", xml_declaration=True)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cases.lib.case import openfoam
+from cases.lib.case import files, openfoam
 from cases.lib.case.errors import CaseError
 from cases.lib.output import spheres
 from cases.lib.output.plotting import plt
@@ -34,7 +34,8 @@ def settling(folder, curve, time_scale, title):
     ax.legend()
     ax.set_title(title, fontsize=9, pad=10)
     fig.tight_layout()
-    fig.savefig(os.path.join(folder, "settling.png"), dpi=150)
+    with files.fresh(os.path.join(folder, "settling.png")) as part:
+        fig.savefig(part, dpi=150)
     plt.close(fig)
 
 
@@ -80,8 +81,9 @@ class Moment:
         return float(self.flow[0].max())
 
 
-def moments(folder, values, count):
-    """The Moments of a run that tell most, the first and the last among them."""
+def moments(folder, values, count, torn=False):
+    """The Moments of a run that tell most, the first and the last among them; torn: without those
+    whose files are not whole."""
     step, cfd = values["dem_step"], os.path.join(folder, "CFD")
     dumps, flows = spheres.dumps(folder), openfoam.times(cfd)
     if not flows:
@@ -91,8 +93,14 @@ def moments(folder, values, count):
     for i in telling(folder, [n * step for n, _ in dumps], count):
         number, path = dumps[i]
         nearest = min(flows, key=lambda f: abs(f[0] - number * step))
-        found.append(Moment(number * step, spheres.read(path),
-                            _cut(cfd, nearest[1], values["tube_radius"], values["tube_height"], centres)))
+        try:
+            found.append(Moment(number * step, spheres.read(path),
+                                _cut(cfd, nearest[1], values["tube_radius"], values["tube_height"], centres)))
+        except (CaseError, OSError):
+            if not torn:
+                raise
+    if not found:
+        raise CaseError(f"{folder}: holds no moment of both halves that is whole")
     return found
 
 
@@ -115,9 +123,9 @@ def pair(left, right, moment, values, top, colours=None, pixels=8000.0):
     return shown
 
 
-def columns(folder, values, title, count=6):
+def columns(folder, values, title, count=6, torn=False):
     """The column at six times: clumps, and beside them a cut of the flow."""
-    chosen = moments(folder, values, count)
+    chosen = moments(folder, values, count, torn)
     top = max(m.top_speed for m in chosen) or 1e-12
 
     # panes as wide as the tube drawn to scale, room above for the times
@@ -133,5 +141,6 @@ def columns(folder, values, title, count=6):
     bar = fig.colorbar(shown, cax=fig.add_axes([0.95, 0.02, 0.009, 0.9 - 0.7 / tall]))
     bar.set_label("fluid speed in the plane y = 0 [mm/s]")
     fig.suptitle(title, fontsize=9, y=0.995)
-    fig.savefig(os.path.join(folder, "columns.png"), dpi=170, bbox_inches="tight")
+    with files.fresh(os.path.join(folder, "columns.png")) as part:
+        fig.savefig(part, dpi=170, bbox_inches="tight")
     plt.close(fig)

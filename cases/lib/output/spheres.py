@@ -21,13 +21,23 @@ def dumps(folder):
 
 
 def read(path):
-    """A dump's columns by name, each an array."""
+    """A dump's columns by name, each an array; CaseError when it is not whole."""
     with open(path, encoding="utf-8") as f:
+        count, columns = None, []
         for line in f:
+            if line.startswith("ITEM: NUMBER OF ATOMS"):
+                count = f.readline().strip()
             if line.startswith("ITEM: ATOMS"):
                 columns = line.split()[2:]
                 break
-        rows = np.array(f.read().split(), dtype=float).reshape(-1, len(columns))
+        rest = f.read()
+    words = rest.split()
+    try:
+        if words and not rest.endswith((" ", "\n")) or count is not None and len(words) != int(count) * len(columns):
+            raise ValueError
+        rows = np.array(words, dtype=float).reshape(-1, len(columns))
+    except ValueError:
+        raise CaseError(f"{path}: is not a whole dump") from None
     return {c: rows[:, i] for i, c in enumerate(columns)}
 
 

@@ -5,14 +5,12 @@ import argparse
 import contextlib
 import json
 import os
-import signal
-import sys
 
 import numpy as np
 
 from cases.lib.case import casefile, settings
 from cases.lib.case.errors import CaseError
-from cases.lib.case.program import guarded
+from cases.lib.case.program import run as run_program
 from cases.lib.packing import packing
 
 
@@ -91,7 +89,6 @@ def draw(folder, v, report):
 def main():
     args = parser().parse_args()
     # packmol ends with it
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     case = casefile.Case(args.name)
     settings.apply(case, settings.read(args.set), print)
     if "packing" not in case.values:
@@ -109,4 +106,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(guarded(main, "cases/pack"))
+    run_program(main, "cases/pack")

@@ -13,6 +13,7 @@ import time
 
 import numpy as np
 
+from cases.lib.case import stops
 from cases.lib.case.errors import CaseError
 from cases.lib.packing.pack_shapes import NotPacked, overlaps
 
@@ -104,7 +105,8 @@ def _run(say, folder, limit):
     with open(log, "w", encoding="utf-8") as out, \
             open(os.path.join(folder, "packmol.inp"), encoding="utf-8") as text:
         try:
-            child = subprocess.Popen([PROGRAM], cwd=folder, stdin=text, stdout=out, stderr=subprocess.STDOUT)
+            child = subprocess.Popen([PROGRAM], cwd=folder, stdin=text, stdout=out, stderr=subprocess.STDOUT,
+                                     preexec_fn=stops.die_with_parent())
         except OSError as e:
             raise CaseError(f"packing = packmol: the program {PROGRAM} cannot be run ({e.strerror}); "
                             "Debian's package packmol has it") from None

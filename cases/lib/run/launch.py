@@ -1,6 +1,8 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """Starts both halves in one mpirun, shows how far they are, keeps their logs."""
 
+import contextlib
+import ctypes
 import os
 import re
 import shlex
@@ -9,12 +11,14 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import dataclass
 
-from cases.lib.case import openfoam
+from cases.lib.case import files, openfoam, stops
 from cases.lib.case.casefile import TOP
 from cases.lib.case.errors import CaseError
 
 _TAG = re.compile(r"^\[\d+,(\d+)\]<std(out|err)>:\s?(.*)$", re.S)
+_UNPRINTED = re.compile(r"[\x00-\x08\x0a-\x1f\x7f\ufffd]")  # behind LIGGGHTS's words on an error
 _PROGRESS = re.compile(r"^clayFoam: (t = .*)$")
 # LIGGGHTS's own errors; what a half says on its standard error when it ends the run
 _ERROR = re.compile(r"^\s*ERROR")
@@ -39,6 +43,35 @@ def cores():
         pass
     usable = len(os.sched_getaffinity(0))
     return min(len(pairs) or usable, usable)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How both halves ended: cases/run's exit code, and why if that is not 0."""
+
+    code: int
+    reason: str
+
+
+_PR_SET_CHILD_SUBREAPER = 36
+
+
+def adopt_orphans():
+    """Descendants whose parent ends become this process's children."""
+    ctypes.CDLL(None).prctl(_PR_SET_CHILD_SUBREAPER, 1)
+
+
+def children():
+    """The processes that are children of this one."""
+    found = []
+    for entry in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open(f"/proc/{entry}/stat", encoding="utf-8", errors="replace") as f:
+                if int(f.read().rpartition(")")[2].split()[1]) == os.getpid():
+                    found.append(int(entry))
+        except OSError:
+            continue
+    return found
 
 
 class Run:
@@ -78,55 +111,75 @@ class Run:
         return "\n".join(lines + [shlex.join(self.command())]) + "\n"
 
     def write_script(self):
-        with open(os.path.join(self.folder, "run.sh"), "w", encoding="utf-8") as f:
+        with files.writing(os.path.join(self.folder, "run.sh")) as f:
             f.write("#!/bin/sh\n# This run by hand.\n" + self.script())
 
     def environment(self):
         path = os.path.join(TOP, "build", "bin") + os.pathsep + os.environ.get("PATH", "")
         return {**os.environ, **self.exports(), "PATH": path}
 
-    def go(self):
-        """Runs both halves to the end; returns the exit code, says why if not 0."""
+    def go(self, lock=None):
+        """Runs both halves to the end; gives how they ended. They keep the folder's lock."""
         words = self.command()
         words.insert(1, "--tag-output")
         for program in ("mpirun", "liggghts-clay", "clayFoam"):
             if not shutil.which(program, path=self.environment()["PATH"]):
                 raise CaseError(f"{program} is not there; cmake/setup.sh installs and builds all")
-        signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
         began = time.monotonic()
-        halves = subprocess.Popen(words, cwd=self.folder, env=self.environment(),
-                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, text=True, errors="replace")
+        adopt_orphans()
+        halves = None
         try:
+            with stops.passed_over():
+                halves = subprocess.Popen(words, cwd=self.folder, env=self.environment(),
+                                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                          stderr=subprocess.STDOUT, text=True, errors="replace",
+                                          pass_fds=() if lock is None else (lock.number,),
+                                          preexec_fn=stops.die_with_parent())
             said = self._watch(halves.stdout)
             status = halves.wait()
+        except stops.Stopped as e:
+            return Outcome(128 + e.signal, f"ended by {e} to cases/run")
         finally:
-            if halves.poll() is None:
-                halves.terminate()
-                try:
-                    halves.wait(10)
-                except subprocess.TimeoutExpired:
-                    halves.kill()
-                    halves.wait()
-        self.wall = time.monotonic() - began
+            with stops.passed_over():
+                self._end(halves)
+            self.wall = time.monotonic() - began
+        if status < 0:
+            return Outcome(1, f"mpirun was ended by {signal.Signals(-status).name}")
         if status:
-            reason = said or "no half said why"
-            print(f"cases/run: stopped after {self.wall:.1f} s, exit code {status}; "
-                  f"logs in {self.folder}/DEM/log and CFD/log\n{reason}", file=sys.stderr)
-            return status if 0 < status < 256 else 1
-        return 0
+            return Outcome(1, (said or "no half said why; mpirun may have been sent a signal") +
+                           f" (mpirun's exit code {status})")
+        return Outcome(0, "")
+
+    @staticmethod
+    def _end(halves):
+        """Nothing that was started is left behind."""
+        if halves and halves.poll() is None:
+            halves.terminate()
+            try:
+                halves.wait(10)
+            except subprocess.TimeoutExpired:
+                halves.kill()
+                halves.wait()
+        # ranks whose mpirun is gone
+        for pid in children():
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
+        for pid in children():
+            with contextlib.suppress(ChildProcessError):
+                os.waitpid(pid, 0)
 
     def _watch(self, stream):
         """Sorts what the halves say; returns the line that tells of an error."""
         shown = _Progress()
         said, after, others = "", "", []
-        with open(os.path.join(self.folder, "CFD", "log"), "w", encoding="utf-8") as log:
+        path = os.path.join(self.folder, "CFD", "log")
+        with files.naming(path), open(path, "w", encoding="utf-8", buffering=1) as log:
             for line in stream:
                 tag = _TAG.match(line)
                 if not tag:
                     others.append(line.strip())
                     continue
-                rank, content = int(tag.group(1)), tag.group(3).rstrip("\n")
+                rank, content = int(tag.group(1)), _UNPRINTED.sub("", tag.group(3))
                 if rank >= self.dem:
                     log.write(content + "\n")
                 step = _PROGRESS.match(content)

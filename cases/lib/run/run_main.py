@@ -2,18 +2,17 @@
 """cases/run: runs a coupled case from its one small folder."""
 
 import argparse
-import signal
 import sys
 
-from cases.lib.case import casefile, settings
+from cases.lib.case import casefile, program, settings, stops
 from cases.lib.case.errors import CaseError
-from cases.lib.case.program import guarded
 
 
 def parser():
     p = argparse.ArgumentParser(
         prog="cases/run", description="Runs a coupled case; its results go to results/NAME.",
-        epilog="cases/run NAME --keys lists a case's keys.", allow_abbrev=False)
+        epilog="cases/run NAME --keys lists a case's keys. Exit codes: 0 a complete run, 1 it failed, 2 bad input, "
+               "3 particles were lost, 4 complete but for its report, 128 + N ended by signal N.", allow_abbrev=False)
     p.add_argument("name", nargs="?", metavar="NAME", help="the case")
     p.add_argument("--list", action="store_true", help="list the cases and stop")
     p.add_argument("--keys", action="store_true", help="list the case's keys and stop")
@@ -21,6 +20,7 @@ def parser():
     p.add_argument("--cfd", type=int, default=1, metavar="M", help="ranks of the CFD half (1)")
     p.add_argument("--end", metavar="T", help="simulated time in s, short for --set end=T")
     p.add_argument("--out", metavar="DIR", help="the run folder (results/NAME)")
+    p.add_argument("--overwrite", action="store_true", help="delete what an older run left in that folder")
     p.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="change a value")
     p.add_argument("--dry-run", action="store_true",
                    help="make the run folder and print the commands that run the case")
@@ -30,13 +30,20 @@ def parser():
     return p
 
 
+def listed():
+    """The cases there are, a line each; of those that cannot be read, why."""
+    for name in casefile.names():
+        try:
+            yield f"{name:<16}{casefile.Case(name).title}"
+        except CaseError as e:
+            yield f"{name:<16}cannot be read: {e}"
+
+
 def main():
     args = parser().parse_args()
-    # the programs it starts end with it
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     if args.list:
-        for name in casefile.names():
-            print(f"{name:<16}{casefile.Case(name).title}")
+        for line in listed():
+            print(line)
         return 0
     if not args.name:
         raise CaseError("which case? cases/run --list names them")
@@ -49,21 +56,45 @@ def main():
     for option, ranks in (("--dem", args.dem), ("--cfd", args.cfd)):
         if ranks < 1:
             raise CaseError(f"{option} {ranks}: must be at least 1")
-
-    from cases.lib.run import launch, prepare  # which need more than Python's own modules
     derived = case.derive(args.dem, args.cfd)
-    folder = prepare.run_folder(case, args.out, derived)
-    run = launch.Run(folder, args.dem, args.cfd)
-    run.write_script()
-    if args.dry_run:
-        print(run.script(), end="")
-        return 0
-    status = run.go()
-    if status:
-        return status
+
+    from cases.lib.run import folders, launch, prepare  # which need more than Python's own modules
+    folder, lock = folders.claim(case, args.out, args.overwrite, args.dry_run)
+    with lock:
+        prepare.fill(folder, case, derived)
+        run = launch.Run(folder, args.dem, args.cfd)
+        run.write_script()
+        if args.dry_run:
+            print(run.script(), end="")
+            return 0
+        return go(case, run, derived, lock, args)
+
+
+def go(case, run, derived, lock, args):
+    """Runs a prepared case, says how it ended, and reports it; gives the exit code."""
+    from cases.lib.run import state
+    end = case.values["end"]
+    state.write(run.folder, case.name, end, state.UNDER_WAY)
+    try:
+        outcome = run.go(lock)
+    except BaseException as e:
+        with stops.passed_over():
+            state.write(run.folder, case.name, end, str(e) or type(e).__name__)
+        raise
+    code, reason = outcome.code, outcome.reason
+    if not code:
+        reason = state.lacking(run.folder, case.values)
+        code = 1 if reason else 0
+    if code:
+        with stops.passed_over():
+            s = state.write(run.folder, case.name, end, reason, run.wall)
+            print(f"cases/run: stopped after {run.wall:.1f} s at {s['simulated_s']:.4g} s of {end:.4g} s; "
+                  f"logs in {run.folder}/DEM/log and CFD/log; cases/report draws what there is\n{reason}",
+                  file=sys.stderr)
+        return code
     from cases.lib.run import report
     return report.finish(case, run, derived, alone=args.alone, pictures=not args.no_pictures)
 
 
 if __name__ == "__main__":
-    sys.exit(guarded(main, "cases/run"))
+    program.run(main, "cases/run")

@@ -7,7 +7,6 @@ own, several at once; killed ones are made anew, failed ones reported.
 """
 
 import contextlib
-import ctypes
 import fcntl
 import json
 import os
@@ -21,14 +20,13 @@ import time
 import warnings
 from dataclasses import dataclass
 
-from cases.lib.case import settings
+from cases.lib.case import files, settings, stops
 from cases.lib.case.casefile import Case, TOP, text
 from cases.lib.case.errors import CaseError
-from cases.lib.run import launch, runkey
+from cases.lib.run import folders, launch, runkey, state
 
 _DONE = "run.json"
 _SHARE = re.compile(r"([\d.]+) %")
-_PR_SET_PDEATHSIG = 1
 _YIELD = {"OMPI_MCA_mpi_yield_when_idle": "1"}  # for more ranks than cores
 
 
@@ -80,13 +78,19 @@ def curve(folder):
     return {k: np.atleast_1d(rows[k]) for k in rows.dtype.names}
 
 
+def _note(folder):
+    """What the store noted of a run when it had ended well, {} without."""
+    try:
+        with open(os.path.join(folder, _DONE), encoding="utf-8") as f:
+            found = json.load(f)
+    except (OSError, ValueError):
+        return {}
+    return found if isinstance(found, dict) and "wall_s" in found else {}
+
+
 def words(changes):
     """Changes as one reads them."""
     return " ".join(f"{k}={v if isinstance(v, str) else text(v)}" for k, v in changes.items())
-
-
-def _die_with_parent():
-    ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
 
 
 class Store:
@@ -123,7 +127,8 @@ class Store:
 
     @staticmethod
     def _is_finished(job):
-        return all(os.path.isfile(os.path.join(job.folder, f)) for f in (_DONE, "summary.json", "settling.csv"))
+        return (all(os.path.isfile(os.path.join(job.folder, f)) for f in (_DONE, "settling.csv"))
+                and state.complete(job.folder) and _note(job.folder).get("key") == job.key)
 
     def run(self, name, changes):
         """The folder of a finished run; RunFailed when it fails."""
@@ -147,7 +152,8 @@ class Store:
             self.tell(f"{len(results)} of {len(unique)} runs are there already")
         if waiting:
             old = None
-            if threading.current_thread() is threading.main_thread():
+            if (threading.current_thread() is threading.main_thread()
+                    and signal.getsignal(signal.SIGTERM) == signal.SIG_DFL):
                 old = signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
             try:
                 self._work(waiting, jobs, results, len(unique))
@@ -158,8 +164,7 @@ class Store:
 
     @staticmethod
     def _there(job):
-        with open(os.path.join(job.folder, _DONE), encoding="utf-8") as f:
-            return Result(job.folder, reused=True, wall_s=json.load(f)["wall_s"])
+        return Result(job.folder, reused=True, wall_s=_note(job.folder)["wall_s"])
 
     def _work(self, waiting, jobs, results, total):
         going, elsewhere, began, told = [], set(), time.monotonic(), time.monotonic()
@@ -218,7 +223,7 @@ class Store:
             job.process = subprocess.Popen(
                 self.command(job.name, job.changes, job.folder), stdin=subprocess.DEVNULL, stdout=log,
                 stderr=subprocess.STDOUT, start_new_session=True, pass_fds=(job.lock,),
-                env={**os.environ, **_YIELD} if crowded else None, preexec_fn=_die_with_parent)
+                env={**os.environ, **_YIELD} if crowded else None, preexec_fn=stops.die_with_parent())
 
     @staticmethod
     def _share(job):
@@ -238,6 +243,8 @@ class Store:
             error = _error(log, job.process.returncode)
         elif not all(os.path.isfile(os.path.join(job.folder, f)) for f in ("summary.json", "settling.csv")):
             error = "ended without summary.json and settling.csv"
+        elif not state.complete(job.folder):
+            error = folders.summary(job.folder).get("reason") or "it is not complete"
         elif not self._same(job):
             error = "its input files or the programs were changed while it ran"
         os.makedirs(job.folder, exist_ok=True)
@@ -245,12 +252,8 @@ class Store:
         if error:
             error = f"{job.name} {words(job.changes)} failed: {error} (log in {job.folder}/log)"
         else:
-            part = os.path.join(job.folder, _DONE + ".part")
-            with open(part, "w", encoding="utf-8") as f:
-                json.dump({"case": job.name, "changes": job.changes, "key": job.key,
-                           "wall_s": round(seconds, 3)}, f, indent=2)
-                f.write("\n")
-            os.replace(part, os.path.join(job.folder, _DONE))
+            files.write_json(os.path.join(job.folder, _DONE), {
+                "case": job.name, "changes": job.changes, "key": job.key, "wall_s": round(seconds, 3)})
         os.close(job.lock)
         return Result(job.folder, error, False, seconds)
 

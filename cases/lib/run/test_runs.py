@@ -35,7 +35,7 @@ SCRIPT = textwrap.dedent("""
         f.write("time_s,interface_m\\n0,0.15\\n1,0.1\\n")
     if end != "partly":
         with open(os.path.join(folder, "summary.json"), "w") as f:
-            f.write("{}\\n")
+            f.write('{"complete": %s, "reason": "it ended at 0.1 s of 2 s"}' % ("false" if end == "cut" else "true"))
     with open(notes, "a") as f:
         f.write(f"end {os.getpid()}\\n")
     """)
@@ -110,6 +110,26 @@ class RunsTest(unittest.TestCase):
         self.assertIn("without summary.json", results[0].error)
         self.assertEqual(self.store().run_many([("clump-half", {"charge": 3e-10})])[0].error, "")
         self.assertEqual(self.started(), 3)
+
+    def test_a_run_that_was_cut_is_never_taken(self):
+        result = self.store(end="cut").run_many([("clump-half", {})])[0]
+        self.assertIn("failed: it ended at 0.1 s of 2 s", result.error)
+        self.assertIsNone(self.store().finished("clump-half", {}))
+        folder = self.store().run("clump-half", {})
+        self.assertEqual(self.store().finished("clump-half", {}), folder)
+        with open(os.path.join(folder, "summary.json"), "w", encoding="utf-8") as f:
+            f.write('{"complete": false}')
+        self.assertIsNone(self.store().finished("clump-half", {}))
+        self.assertEqual(self.started(), 2)
+
+    def test_a_damaged_note_is_made_anew(self):
+        for note in ("", "{}", "[", '{"key": "other", "wall_s": 1}'):
+            folder = self.store().run("clump-half", {})
+            with open(os.path.join(folder, "run.json"), "w", encoding="utf-8") as f:
+                f.write(note)
+            self.assertIsNone(self.store().finished("clump-half", {}))
+        self.store().run("clump-half", {})
+        self.assertEqual(self.started(), 5)
 
     def test_programs_changed_while_it_ran(self):
         store = self.store()

@@ -13,7 +13,7 @@ from cases.lib.calibration import stagefit
 from cases.lib.case import settings
 from cases.lib.case.casefile import Case, text
 from cases.lib.case.errors import CaseError
-from cases.lib.case.program import guarded
+from cases.lib.case.program import run as run_program
 from cases.lib.run import launch, runs
 
 _MOST_RUNS = 10000
@@ -170,4 +170,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(guarded(main, "cases/sweep"))
+    run_program(main, "cases/sweep")

@@ -5,14 +5,12 @@ import argparse
 import csv
 import json
 import os
-import signal
 import statistics
-import sys
 import time
 
 from cases.lib.case import casefile
 from cases.lib.case.errors import CaseError
-from cases.lib.case.program import guarded
+from cases.lib.case.program import run as run_program
 from cases.lib.run import runkey
 from validation.lib.bench import bench_curve, bench_plan, bench_run
 from validation.lib.checks.verdicts import Broken
@@ -198,7 +196,6 @@ def check(args):
 
 def main():
     args = parser().parse_args()
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     check(args)
     os.makedirs(bench_run.PLACE, exist_ok=True)
     if args.what == "targets":
@@ -235,4 +232,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(guarded(main, "validation/bench"))
+    run_program(main, "validation/bench")

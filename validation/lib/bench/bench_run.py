@@ -28,7 +28,8 @@ def made(case, changes, where="runs", dry=False, edit=None, tag=""):
     if edit and not dry:
         return _edited(case, changes, where, edit, tag)
     folder = os.path.join(PLACE, where, name_of(case, changes) + tag.replace(" ", "-") + ("-inputs" if dry else ""))
-    words = [os.path.join(coupled.TOP, "cases", "run"), "--no-setup", case, "--out", folder, "--no-pictures",
+    words = [os.path.join(coupled.TOP, "cases", "run"), "--no-setup", case, "--out", folder, "--overwrite",
+             "--no-pictures",
              "--set", "frames=2"]
     for key, value in changes.items():
         words += ["--set", f"{key}={value if isinstance(value, str) else casefile.text(value)}"]

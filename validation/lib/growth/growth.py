@@ -41,7 +41,7 @@ def options(across, cell, steps):
 def prepared(where, words, ranks=(1, 1)):
     """The scene's run folder, made but not run."""
     folder = os.path.join(FOLDER, where)
-    command = [os.path.join(coupled.TOP, "cases", "run"), "--no-setup", "growth-scene", "--out", folder,
+    command = [os.path.join(coupled.TOP, "cases", "run"), "--no-setup", "growth-scene", "--out", folder, "--overwrite",
                "--dem", str(ranks[0]), "--cfd", str(ranks[1]), *words]
     outcome = coupled.execute([*command, "--dry-run"], 600)
     if outcome.status:

@@ -8,14 +8,13 @@ import json
 import os
 import re
 import shutil
-import signal
 import sys
 import threading
 import time
 from collections import Counter
 
 from cases.lib.case.errors import CaseError
-from cases.lib.case.program import guarded
+from cases.lib.case.program import run as run_program
 from cases.lib.run import runkey
 from validation.lib.checks import coupled
 from validation.lib.stress import stress_beds, stress_design, stress_run
@@ -179,7 +178,6 @@ def record(text, path=os.path.join(coupled.TOP, "validation", "STABILITY.md")):
 
 def main():
     args = parser().parse_args()
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     if args.runs is not None and args.runs < 1:
         raise CaseError(f"--runs {args.runs}: must be at least 1")
     if args.jobs < 1:
@@ -227,4 +225,4 @@ def report(rows):
 
 
 if __name__ == "__main__":
-    sys.exit(guarded(main, "validation/stress"))
+    run_program(main, "validation/stress")

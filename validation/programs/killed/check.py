@@ -40,7 +40,7 @@ def _runs(pid):
 def _kill(checks, program):
     folder = os.path.join(coupled.RUNS, "killed", program)
     run = subprocess.Popen([os.path.join(coupled.TOP, "cases", "run"), "--no-setup", "clump-half",
-                            "--out", folder, "--end", "1"], stdin=subprocess.DEVNULL, text=True,
+                            "--out", folder, "--overwrite", "--end", "1"], stdin=subprocess.DEVNULL, text=True,
                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     try:
         # its first line of progress, after one on the packing, says that both halves march

@@ -4,9 +4,9 @@ to the project, not into the user's home. Import it from here only."""
 
 import os
 
-from cases.lib.case.casefile import TOP
+from cases.lib.case import cache
 
-os.environ.setdefault("MPLCONFIGDIR", os.path.join(TOP, "build", "matplotlib"))
+os.environ.setdefault("MPLCONFIGDIR", cache.place("matplotlib"))
 
 import matplotlib as mpl  # noqa: E402  (reads the folder of its cache when it is loaded)
 

@@ -34,7 +34,7 @@ def _clear(out):
     if not os.path.isdir(out):
         return
     there = os.listdir(out)
-    if "case.txt" in there:
+    if "case.txt" in there or "case.json" in there:
         raise CaseError(f"--out {out}: is the folder of a run; name a new folder")
     if "packing.json" not in there and not all(n == "packmol" or n.startswith("packing.") for n in there):
         raise CaseError(f"--out {out}: holds other things than a packing; name a new folder")

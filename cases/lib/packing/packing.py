@@ -13,7 +13,7 @@ import time
 
 import numpy as np
 
-from cases.lib.case.casefile import TOP
+from cases.lib.case import cache
 from cases.lib.case.errors import CaseError
 from cases.lib.case.suspension import particle_volume
 from cases.lib.packing import pack_box, pack_expansion, pack_packmol, pack_random, pack_shapes
@@ -31,22 +31,16 @@ def write(folder, v):
     if v["packing"] not in METHODS:
         raise CaseError(f"packing = {v['packing']}: must be one of {', '.join(METHODS)}")
     _clear(folder)
-    store = os.path.join(TOP, "build", "packings", _key(v))
-    kept = os.path.isfile(os.path.join(store, "packing.json"))
-    if not kept:
-        part = f"{store}.{os.getpid()}"
-        os.makedirs(part)
+
+    def make(part):
         try:
             _make(part, v)
-            with contextlib.suppress(OSError):  # another run was quicker
-                os.rename(part, store)
         except CaseError:
             if os.path.isdir(os.path.join(part, "packmol")):  # what packmol said
                 shutil.copytree(os.path.join(part, "packmol"), os.path.join(folder, "packmol"), dirs_exist_ok=True)
             raise
-        finally:
-            shutil.rmtree(part, ignore_errors=True)
-    shutil.copytree(store, folder, dirs_exist_ok=True)
+
+    kept = cache.fill("packings", _key(v), folder, make)
     with open(os.path.join(folder, "packing.json"), encoding="utf-8") as f:
         report = json.load(f)
     print(line(report) + (", kept from before" if kept else ""), flush=True)

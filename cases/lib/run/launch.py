@@ -13,7 +13,7 @@ import sys
 import time
 from dataclasses import dataclass
 
-from cases.lib.case import files, openfoam, stops
+from cases.lib.case import cache, files, openfoam, stops
 from cases.lib.case.casefile import TOP
 from cases.lib.case.errors import CaseError
 
@@ -85,7 +85,7 @@ class Run:
         """The environment of both halves, besides the user's own."""
         names = dict(openfoam.environment())
         if "CLAYFOAM_CACHE" not in os.environ:  # resistances of clumps belong to the project, not into the user's home
-            names["CLAYFOAM_CACHE"] = os.path.join(TOP, "build", "resistance")
+            names["CLAYFOAM_CACHE"] = cache.place("resistance")
         if os.geteuid() == 0:
             names["OMPI_ALLOW_RUN_AS_ROOT"] = names["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1"
         if self.dem + self.cfd > cores():

@@ -6,8 +6,8 @@ import os
 import re
 import shutil
 
-from cases.lib.case import files, meshes, openfoam
-from cases.lib.case.casefile import CASES, TOP, text
+from cases.lib.case import cache, files, meshes, openfoam
+from cases.lib.case.casefile import CASES, text
 from cases.lib.packing import packing
 from cases.lib.run import folders
 
@@ -39,30 +39,40 @@ def _parameters(out, values):
         f.write("}\n")
 
 
+def _included(path, seen):
+    """The text of one of OpenFOAM's files and of those it includes, each once."""
+    path = os.path.normpath(path)
+    if path in seen or not os.path.isfile(path):
+        return ""
+    seen.add(path)
+    with open(path, encoding="utf-8", errors="replace") as f:
+        found = f.read()
+    for name in re.findall(r'^\s*#include\w*\s+"([^"]+)"', found, re.M):
+        found += _included(os.path.join(os.path.dirname(path), name), seen)
+    return found
+
+
 def _mesh(cfd, case, derived):
     """The mesh, from the store if this one was made before, cut up if need be."""
-    with open(os.path.join(cfd, "system", "blockMeshDict"), encoding="utf-8") as f:
-        dictionary = f.read()
+    dictionary = _included(os.path.join(cfd, "system", "blockMeshDict"), {os.path.join(cfd, "system", "parameters")})
     values = {**case.values, **derived}
     used = {k: text(values[k]) for k in sorted(values) if re.search(r"parameters\." + k + r"\b", dictionary)}
     kind = values.get("mesh", "hex")
     if kind != "hex":
         used["mesh"] = f"{kind} {values['seed']}"
+    with open(meshes.__file__, encoding="utf-8") as f:
+        maker = f.read() if kind != "hex" else ""
     version = os.environ.get("WM_PROJECT_VERSION", "packaged")
-    key = hashlib.sha256(f"{dictionary}{used}{version}".encode()).hexdigest()[:16]
-    store = os.path.join(TOP, "build", "meshes", key)
-    target = os.path.join(cfd, "constant", "polyMesh")
-    if not os.path.isfile(os.path.join(store, "owner")):
+    key = hashlib.sha256(f"{dictionary}{used}{version}{maker}with sums".encode()).hexdigest()[:16]
+
+    def make(part):
         openfoam.run("blockMesh", cfd)
         meshes.change(kind, cfd, values)
-        part = f"{store}.{os.getpid()}"
-        shutil.copytree(target, part)
-        try:
-            os.replace(part, store)
-        except OSError:  # another run was quicker
-            shutil.rmtree(part)
-    else:
-        shutil.copytree(store, target)
+        for name in os.listdir(mesh):
+            shutil.move(os.path.join(mesh, name), part)
+
+    mesh = os.path.join(cfd, "constant", "polyMesh")
+    cache.fill("meshes", key, mesh, make)
     if derived["cfd_ranks"] > 1:
         openfoam.run("decomposePar", cfd)
     # what ParaView opens

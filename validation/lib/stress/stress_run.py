@@ -11,7 +11,7 @@ import threading
 
 from cases.lib.case import casefile, openfoam
 from cases.lib.case.errors import CaseError
-from cases.lib.run import launch, prepare
+from cases.lib.run import folders, launch, prepare
 from validation.lib.stress import stress_bounds, stress_design
 
 LIMIT = 120.0  # [s] after which a run counts as hung
@@ -29,7 +29,9 @@ def make(point, folder):
         case.set(key, value if isinstance(value, str) else casefile.text(value))
     # the prepared folder's places: one process, one at a time
     with _making:
-        prepare.run_folder(case, folder, case.derive(1, 1))
+        _, lock = folders.claim(case, folder, overwrite=True)
+        with lock:
+            prepare.fill(folder, case, case.derive(1, 1))
     names = ("ill", "kao") if point["shape"] == "clumps" else ("pos", "neg")
     turn = " 1 0 0 0" if point["shape"] == "clumps" else ""
     with open(os.path.join(folder, "packing.places"), "w", encoding="utf-8") as f:

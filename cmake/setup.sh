@@ -84,6 +84,12 @@ mkdir -p "$top/build"
 # what CMake found for another OpenFOAM must not be mixed with this one
 last=$(cat "$top/build/.flavour" 2> /dev/null || echo "$flavour")
 [ "$last" = "$flavour" ] || rm -f "$top/build/CMakeCache.txt"
+# nor what it found where this folder was before it was moved or copied
+home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$top/build/CMakeCache.txt" 2> /dev/null || true)
+if [ -n "$home" ] && [ "$home" != "$top" ]; then
+    echo "setup: this folder was moved or copied from $home: configuring anew"
+    rm -rf "$top/build/CMakeCache.txt" "$top/build/CMakeFiles"
+fi
 echo "$flavour" > "$top/build/.flavour"
 began=$(mktemp "$top/build/.ready.XXXXXX")
 log="$top/build/setup.log"

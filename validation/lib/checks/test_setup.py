@@ -90,3 +90,18 @@ def test_another_openfoam_is_built_anew(project):
     project.setup()
     project.env["WM_PROJECT_DIR"] = "/opt/another/OpenFOAM"
     assert project.setup()[0]
+
+
+def test_a_folder_that_was_moved_is_configured_anew(project):
+    cache = project.top / "build" / "CMakeCache.txt"
+    source = project.top / "exchange" / "source.cpp"
+    for home, there in ((project.top, True), ("/some/where/else", False)):
+        project.setup()
+        cache.write_text(f"A:B=1\nCMAKE_HOME_DIRECTORY:INTERNAL={home}\n")
+        (project.top / "build" / "CMakeFiles").mkdir(exist_ok=True)
+        stamp = (project.top / "build" / ".ready").stat().st_mtime
+        os.utime(source, (stamp + 5, stamp + 5))
+        project.setup()
+        # the stand-in for cmake leaves what is there
+        assert (cache.read_text() != "", (project.top / "build" / "CMakeFiles").is_dir()) == (there, there)
+        os.utime(source, (stamp - 5, stamp - 5))

@@ -26,14 +26,20 @@ _NEEDED = {
     "seed": {"min": 1, "whole": True},
 }
 _ENTRIES = ("value", "unit", "is", "choices", "or", "min", "max", "above", "below", "whole", "followed", "sets")
-_PARTS = ("title", "like", "set", "parameters")
+_PARTS = ("title", "like", "limits", "set", "parameters")
+_BOUNDS = ("min", "max", "above", "below")
 _MOST_STEPS = 2**31 - 1  # LIGGGHTS counts the steps of a run in 32 bits
 
 
 def names():
-    """The cases there are: folders with a case.json that has a title; one
-    without holds what other cases share."""
-    return sorted(d for d in _folders(PLACES[:1]) if "title" in _read(d))
+    """The cases there are: folders with a case.json that has a title, or that
+    cannot be read; one without holds what other cases share."""
+    def is_case(name):
+        try:
+            return "title" in _read(name)
+        except CaseError:
+            return True
+    return sorted(filter(is_case, _folders(PLACES[:1])))
 
 
 def _folders(places=None):
@@ -50,11 +56,19 @@ def _read(name):
             found = json.load(f)
     except ValueError as e:
         raise CaseError(f"{path}: {e}") from None
+    except RecursionError:
+        raise CaseError(f"{path}: is nested too deep") from None
+    except OSError as e:
+        raise CaseError(f"{path}: {e.strerror}") from None
     if not isinstance(found, dict):
-        raise CaseError(f"{path}: must be an object with title, like, set, parameters")
+        raise CaseError(f"{path}: must be an object with {', '.join(_PARTS)}")
     for word in found:
         if word not in _PARTS:
             raise CaseError(f"{path}: {nearest(word, _PARTS, 'entry')}")
+    for word, kind, what in (("title", str, "text"), ("like", str, "a case's name"), ("set", dict, "an object"),
+                             ("limits", dict, "an object"), ("parameters", dict, "an object")):
+        if word in found and not isinstance(found[word], kind):
+            raise CaseError(f"{path}: {word}: must be {what}")
     return found
 
 
@@ -94,7 +108,7 @@ class Case:
             if other in below + [name]:
                 raise CaseError(f"{path}: like = {other}: a case cannot be like itself")
             if other not in _folders():
-                raise CaseError(f"{path}: like: {nearest(str(other), list(_folders()), 'case')}")
+                raise CaseError(f"{path}: like: {nearest(other, list(_folders()), 'case')}")
             self._load(other, below + [name])
         self.folders.append(folder)
         try:
@@ -109,6 +123,15 @@ class Case:
                 self.values[key] = entry["value"]
                 self._check(key, entry["value"], entry["value"])
                 self._check_sets(key, entry)
+            for key, bounds in found.get("limits", {}).items():
+                if key not in self.values:
+                    raise CaseError(f"limits: {nearest(key, list(self.values), 'key')}")
+                for word in bounds:
+                    if word not in _BOUNDS:
+                        raise CaseError(f"limits: {key}: {nearest(word, _BOUNDS, 'entry')}")
+                for word in _BOUNDS if bounds else ():
+                    self.parameters[key].pop(word, None)
+                self.parameters[key].update(bounds)
             for key, value in found.get("set", {}).items():
                 if key not in self.values:
                     raise CaseError(f"set: {nearest(key, list(self.values), 'key')}")
@@ -118,7 +141,7 @@ class Case:
                 self.values[key] = value
         except CaseError as e:
             raise CaseError(f"{path}: {e}") from None
-        except (TypeError, AttributeError) as e:
+        except (TypeError, AttributeError, OverflowError) as e:
             raise CaseError(f"{path}: {e}") from None
 
     @staticmethod
@@ -138,7 +161,7 @@ class Case:
         if "choices" in entry:
             good = value in entry["choices"]
             wanted = "one of " + ", ".join(str(c) for c in entry["choices"])
-        elif isinstance(entry["value"], str) and "or" not in entry:
+        elif isinstance(entry["value"], str) and "or" not in entry and key not in _NEEDED:
             good = isinstance(value, str) and re.fullmatch(r"[\w.+-]+", value)
             wanted = "a single word"
         else:
@@ -154,6 +177,8 @@ class Case:
                 wanted += f" from {text(entry['min'])} to {text(entry['max'])}"
             elif limits:
                 wanted += " " + " and ".join(f"{words} {text(at)}" for at, words, _ in limits)
+            if limits and entry.get("unit", "1") != "1":
+                wanted += f" {entry['unit']}"
             if "or" in entry:
                 wanted += ", or " + " or ".join(entry["or"])
         if not good:
@@ -179,6 +204,12 @@ class Case:
 
     def derive(self, dem_ranks, cfd_ranks):
         """What both halves' input needs besides: counts of steps, numbers for words."""
+        try:
+            return self._derive(dem_ranks, cfd_ranks)
+        except ArithmeticError as e:
+            raise CaseError(f"the case's values do not fit together: {e}") from None
+
+    def _derive(self, dem_ranks, cfd_ranks):
         v = self.values
         if v["end"] / v["dem_step"] > _MOST_STEPS:
             raise CaseError(f"end = {v['end']} s: must be at most {_MOST_STEPS} steps of dem_step = {v['dem_step']} s")

@@ -96,6 +96,85 @@ class LikeTest(InFolder):
             self.assertEqual(str(refused.exception), says)
 
 
+class BrokenTest(InFolder):
+    """A case.json that somebody has written wrongly is one line, and hides no other case."""
+
+    def broken(self, text):
+        os.makedirs(os.path.join(self.top, "bad"), exist_ok=True)
+        with open(os.path.join(self.top, "bad", "case.json"), "wb") as f:
+            f.write(text)
+
+    def test_one_line_each(self):
+        self.base()
+        entry = b'"is": "a number", "value": '
+        for text, says in (
+                (b"", "Expecting value"), (b"[]", "must be an object"), (b"\xff", "codec can't decode"),
+                (b'{"title": "bad", "a": ' + 100000 * b"[" + b"}", "nested too deep"),
+                (b'{"title": "bad", "like": []}', "like: must be a case's name"),
+                (b'{"title": 5, "like": "base"}', "title: must be text"),
+                (b'{"title": "bad", "like": "base", "set": []}', "set: must be an object"),
+                (b'{"title": "bad", "like": "base", "set": {"end": "long"}}', "end = long: must be a finite number"),
+                (b'{"title": "bad", "like": "base", "set": {"end": 1' + 400 * b"0" + b"}}", "too large"),
+                (b'{"title": "bad", "like": "base", "set": {"end": NaN}}', "end = nan: must be a finite number"),
+                (b'{"title": "bad", "like": "base", "parameters": {"end": {' + entry + b'"word"}}}',
+                 "end = word: must be a finite number"),
+                (b'{"title": "bad", "like": "base", "parameters": {"end": 5}}', "not iterable"),
+                (b'{"title": "bad", "like": "base", "parameters": []}', "parameters: must be an object"),
+                (b'{"title": "bad", "like": "base", "limits": {"end": {"most": 5}}}', "limits: end: unknown entry 'most'"),
+                (b'{"title": "bad", "like": "base", "limits": {"ende": {}}}', "limits: unknown key 'ende'")):
+            with self.subTest(text[:60]):
+                self.broken(text)
+                with self.assertRaises(CaseError) as refused:
+                    Case("bad")
+                self.assertIn(says, str(refused.exception))
+                self.assertIn(os.path.join("bad", "case.json"), str(refused.exception))
+                self.assertNotIn("\n", str(refused.exception))
+
+    def test_the_others_are_listed(self):
+        from cases.lib.run import run_main
+        self.base()
+        self.write("one", title="the first", like="base")
+        self.broken(b"{")
+        lines = list(run_main.listed())
+        self.assertEqual([x.split()[0] for x in lines], ["bad", "one"])
+        self.assertIn("cannot be read: ", lines[0])
+        self.assertEqual(Case("one").title, "the first")
+
+    def test_limits_are_narrowed(self):
+        self.base()
+        self.write("one", title="one", like="base", limits={"width": {"min": 1, "max": 3}})
+        case = Case("one")
+        case.set("width", "3")
+        with self.assertRaisesRegex(CaseError, "width = 4: must be a finite number from 1 to 3"):
+            case.set("width", "4")
+
+    def test_values_that_overflow(self):
+        self.base()
+        self.write("one", title="one", like="base", parameters={
+            "sphere_radius": {"value": 1e308, "is": "r"}, "density": {"value": 1, "is": "d"}})
+        with self.assertRaisesRegex(CaseError, "do not fit together"):
+            Case("one").derive(1, 1)
+
+
+class UnitsTest(unittest.TestCase):
+    """Values in other units than those asked for."""
+
+    def test_are_refused_with_the_unit(self):
+        for key, value, unit in (("density", "2.6", "kg/m3"), ("fluid_density", "1", "kg/m3"), ("viscosity", "0.894", "Pa s"),
+                                 ("tube_radius", "16.25", "m"), ("tube_height", "150", "m"), ("fill_height", "150", "m"),
+                                 ("sphere_radius", "1", "m"), ("gravity", "981", "m/s2"), ("charge", "0.393", "C"),
+                                 ("cutoff", "12", "m"), ("layer_spacing", "1", "m")):
+            with self.subTest(key):
+                with self.assertRaisesRegex(CaseError, rf"^{key} = {value}: must be a finite number .*\d {unit}[ ,]"):
+                    Case("clump-half").set(key, value)
+
+    def test_what_the_cases_have_is_within(self):
+        for name in casefile.names():
+            case = Case(name)
+            for key, value in case.values.items():
+                case._check(key, value, value)
+
+
 class ColumnTest(unittest.TestCase):
     """The columns there are."""
 

@@ -21,6 +21,8 @@ def parser():
     p.add_argument("--end", metavar="T", help="simulated time in s, short for --set end=T")
     p.add_argument("--out", metavar="DIR", help="the run folder (results/NAME)")
     p.add_argument("--overwrite", action="store_true", help="delete what an older run left in that folder")
+    p.add_argument("--oversize", action="store_true",
+                   help="run it even if it needs more memory or cores than this machine has")
     p.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="change a value")
     p.add_argument("--dry-run", action="store_true",
                    help="make the run folder and print the commands that run the case")
@@ -58,7 +60,12 @@ def main():
             raise CaseError(f"{option} {ranks}: must be at least 1")
     derived = case.derive(args.dem, args.cfd)
 
-    from cases.lib.run import folders, launch, prepare  # which need more than Python's own modules
+    from cases.lib.run import folders, launch, plan, prepare  # which need more than Python's own modules
+    foreseen = plan.foresee({**case.values, **derived})
+    if not args.oversize:
+        # a folder may be made ready for another machine
+        plan.check(foreseen, derived, 10**9 if args.dry_run else launch.cores(), plan.machine_memory())
+    print(foreseen.line(), flush=True)
     folder, lock = folders.claim(case, args.out, args.overwrite, args.dry_run)
     with lock:
         prepare.fill(folder, case, derived)

@@ -43,8 +43,8 @@ def _kill(checks, program):
                             "--out", folder, "--overwrite", "--end", "1"], stdin=subprocess.DEVNULL, text=True,
                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     try:
-        # its first line of progress, after one on the packing, says that both halves march
-        said = [run.stdout.readline(), run.stdout.readline()]
+        # its first line of progress, after those on plan and packing, says that both halves march
+        said = [run.stdout.readline() for _ in range(3)]
         if not any(line.startswith("t = ") for line in said):
             raise Broken(f"{program}: the run did not start: {''.join(said)} {run.stdout.read()[-200:]}")
         halves = {name[:15]: pid for pid, name in _children(run.pid)}

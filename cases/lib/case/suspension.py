@@ -84,15 +84,16 @@ def resolve(values):
             space = values["size_x"] * values["size_y"] * values["size_z"]
         if values[counted] == "solid_fraction":
             if now("solid_fraction") == "solids":
-                phi = found["solid_fraction"] = solid_fraction(values["solids"], values["density"], now("fluid_density"))
+                phi = solid_fraction(values["solids"], values["density"], now("fluid_density"))
+                found["solid_fraction"] = phi
                 if phi > _MOST_SOLID:
-                    raise CaseError(f"solids = {values['solids']:.4g} %: are {phi:.3g} of the suspension by volume and must "
-                                    f"be at most {_MOST_SOLID} (solids in the suspension by mass)")
+                    raise CaseError(f"solids = {values['solids']:.4g} %: are {phi:.3g} of the suspension by volume and "
+                                    f"must be at most {_MOST_SOLID} (solids in the suspension by mass)")
             found[counted] = round(now("solid_fraction") * space / one)
             if found[counted] < 1:
                 raise CaseError(f"solid_fraction = {now('solid_fraction'):.3g}: leaves no room for one particle")
         found["solid_fraction"] = now(counted) * one / space
         if found["solid_fraction"] > 1:
-            raise CaseError(f"{counted} = {now(counted):.0f}: would fill {found['solid_fraction']:.3g} times their room; take "
-                            "less, or more room")
+            raise CaseError(f"{counted} = {now(counted):.0f}: would fill {found['solid_fraction']:.3g} times their "
+                            "room; take less, or more room")
     return found

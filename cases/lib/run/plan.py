@@ -110,7 +110,8 @@ def check(plan, v, cores, memory):
         raise CaseError(f"--dem {dem} --cfd {cfd}: must be at most {_RANKS_A_CORE * cores} ranks on the {cores} "
                         "cores of this machine; --oversize does it all the same")
     if plan.memory > memory:
-        raise CaseError(f"{plan.line()}: this machine has {_bytes(memory)}; take fewer cells or particles, or --oversize")
+        raise CaseError(f"{plan.line()}: this machine has {_bytes(memory)}; take fewer cells or particles, "
+                        "or --oversize")
 
 
 def _bytes(n):

@@ -98,6 +98,7 @@ def test_sizes_are_refused_at_once(words, says, tmp_path):
 def test_oversize_and_dry_run_go_on(tmp_path):
     for words in (["--oversize"], []):
         done = subprocess.run([os.path.join(TOP, "cases", "run"), "--no-setup", "sphere-half", "--dry-run", "--out",
-                               str(tmp_path / "r"), "--dem", "100", *words], capture_output=True, text=True, check=False)
+                               str(tmp_path / "r"), "--dem", "100", *words], capture_output=True, text=True,
+                              check=False)
         assert done.returncode == 0, done.stderr
         assert "-np 100 liggghts-clay" in done.stdout

@@ -29,6 +29,8 @@ def main():
     p.add_argument("names", nargs="*", metavar="NAME", help="only these checks")
     p.add_argument("--list", action="store_true", help="list the checks and stop")
     p.add_argument("--all", action="store_true", help="the long checks, too")
+    p.add_argument("--part", action="append", default=[], metavar="PART",
+                   help="of a check that has parts (faults), only this one; its README names them")
     p.add_argument("--record", action="store_true",
                    help="write each case's table into its README.md, and the page validation/RESULTS.md")
     p.add_argument("--json", metavar="FILE", help="write the results as JSON, too")
@@ -54,12 +56,16 @@ def main():
         if long and not (args.all or args.names):
             continue
         print(f"-- {name}: {title}", flush=True)
-        checks = verdicts.Checks(name, lambda row: print(verdicts.line(row), flush=True))
+        checks = verdicts.Checks(name, lambda row: print(verdicts.line(row), flush=True), args.part, args.all)
         began = time.monotonic()
         try:
             if wrong:
                 raise wrong
-            rooms.load(name).run(checks)
+            module = rooms.load(name)
+            for part in args.part:
+                if part not in getattr(module, "PARTS", ()):
+                    raise ValueError(f"--part {part}: {nearest(part, getattr(module, 'PARTS', ('none',)), 'part')}")
+            module.run(checks)
         except (Exception, SystemExit) as e:  # whatever it is, the other checks go on
             checks.true("came to its end", False, " ".join(f"{type(e).__name__}: {e}".split()))
         seconds = time.monotonic() - began

@@ -16,8 +16,10 @@ class Broken(Exception):
 class Checks:
     """The rows of one validation case."""
 
-    def __init__(self, case, tell):
+    def __init__(self, case, tell, parts=(), long=False):
+        """parts: of a check that has PARTS, those asked for, all when empty; long: its long ones, too."""
         self.case, self.tell, self.rows = case, tell, []
+        self.parts, self.long = parts, long
         self.pictures, self.notes = [], []
 
     def picture(self, path):

@@ -1,0 +1,90 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""The table of faults: what is drawn, what counts as right, what is kept."""
+
+import json
+import signal
+import subprocess
+import time
+
+from validation.lib.faults import inputs, kills, tries, victim
+
+
+def test_the_same_inputs_every_time():
+    first = [inputs.words(n) for n in range(40)]
+    assert first == [inputs.words(n) for n in range(40)]
+    assert first != [inputs.words(n, seed=2) for n in range(40)]
+    assert len({tuple(w) for w in first}) > 35
+    assert all(w[0] in inputs.CASES and len(w) >= 3 for w in first)
+
+
+def test_every_signal_to_every_part():
+    plan = kills.plan(20)
+    assert len(plan) == 20 * len(kills.TARGETS) * len(kills.SIGNALS)
+    assert plan == kills.plan(20)
+    assert len({t["moment"] for t in plan}) == len(plan)
+    assert {t["during"] for t in plan} == {"start-up", "march"}
+
+
+def test_exit_codes():
+    assert kills.wanted_code("DEM half", "KILL") == kills.wanted_code("mpirun", "TERM") == 1
+    assert [kills.wanted_code("cases/run", n) for n in ("KILL", "SEGV", "TERM", "INT", "HUP", "USR1")] == [
+        -9, -11, 143, 130, 129, 138]
+
+
+class Ended:
+    """A run that has ended in some way."""
+
+    def __init__(self, code=1, left=(), state=None, said="why"):
+        self.code, self.names, self.what, self.words = code, list(left), state, said
+
+    def end(self):
+        return self.code, 1.0
+
+    def left(self, _):
+        return self.names
+
+    def said(self):
+        return self.words
+
+    def state(self):
+        return {"complete": False, "reason": "why"} if self.what is None else self.what
+
+
+def test_what_counts_as_right():
+    trial = {"target": "DEM half", "signal": "TERM"}
+    assert kills.judge(Ended(), trial) == ""
+    for run, says in ((Ended(code=None), "goes on"), (Ended(code=0), "exit code 0"), (Ended(left=["x"]), "left after"),
+                      (Ended(state={}), "summary.json"), (Ended(state={"complete": True}), "summary.json"),
+                      (Ended(state={"complete": False, "reason": ""}), "summary.json"),
+                      (Ended(said="Traceback\nwhy"), "a traceback"), (Ended(said=""), "was not said")):
+        assert says in kills.judge(run, trial)
+
+
+def test_tries_are_kept_and_those_of_other_programs_are_not(tmp_path):
+    path, count = str(tmp_path / "tries"), []
+
+    def attempt():
+        count.append(1)
+        return "bad" if len(count) == 1 else ""
+    assert [tries.Tries(path, "1").outcome("a", attempt) for _ in range(3)] == ["bad", "", ""]
+    assert len(count) == 2
+    assert tries.Tries(path, "2").outcome("a", attempt) == ""
+    assert len(count) == 3
+    with open(path, "a", encoding="utf-8") as f:
+        f.write(json.dumps({"version": "2", "what": "b", "wrong": ""})[:-3])  # it was killed here
+    assert tries.Tries(path, "2").outcome("a", attempt) == ""
+    assert len(count) == 3
+
+
+def test_what_is_left_is_found():
+    run = object.__new__(victim.Run)
+    run.process = subprocess.Popen(["sh", "-c", "sleep 60 & sleep 60"])
+    run.known = {}
+    end = time.monotonic() + 20
+    while len([n for n in run.known.values() if n == "sleep"]) < 2 and time.monotonic() < end:
+        run.look()
+    run.process.send_signal(signal.SIGKILL)
+    run.process.wait()
+    assert run.left(0.1) == ["sleep", "sleep"]
+    for pid in run.known:
+        subprocess.run(["kill", "-9", str(pid)], check=False)

@@ -1,0 +1,46 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""What was tried already: a line of JSON each, so that a long table can be taken up again."""
+
+import hashlib
+import json
+import os
+
+from cases.lib.run import runkey
+from cases.lib.case.casefile import TOP
+
+
+def version():
+    """A hash of the programs and of the Python parts that a run is made by."""
+    parts = sorted(runkey.programs().items())
+    for folder, _, names in sorted(os.walk(os.path.join(TOP, "cases"))):
+        for name in sorted(names):
+            if name.endswith((".py", ".json")):
+                with open(os.path.join(folder, name), "rb") as f:
+                    parts.append((name, hashlib.sha256(f.read()).hexdigest()))
+    return hashlib.sha256(repr(parts).encode()).hexdigest()[:16]
+
+
+class Tries:
+    """Outcomes by what was tried, kept in a file; those of other versions count for nothing."""
+
+    def __init__(self, path, of):
+        self.path, self.of, self.known = path, of, {}
+        try:
+            with open(path, encoding="utf-8") as f:
+                for line in f:
+                    if not line.endswith("\n"):
+                        continue
+                    row = json.loads(line)
+                    if row["version"] == of:
+                        self.known[row["what"]] = row["wrong"]
+        except (OSError, ValueError, KeyError, TypeError):
+            pass  # what cannot be read is tried again
+
+    def outcome(self, what, attempt):
+        """What was wrong with a try, "" for nothing: as it was found before, else by attempt(). What
+        went wrong before is tried again."""
+        if self.known.get(what, "?") != "":
+            self.known[what] = attempt()
+            with open(self.path, "a", encoding="utf-8") as f:
+                f.write(json.dumps({"version": self.of, "what": what, "wrong": self.known[what]}) + "\n")
+        return self.known[what]

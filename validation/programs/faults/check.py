@@ -1,0 +1,204 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""What is done to runs, folders, caches, disks and inputs, and what comes of it."""
+
+import glob
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+
+from cases.lib.case.casefile import TOP
+from validation.lib.checks import coupled
+from validation.lib.faults import inputs, kills, tries, victim
+
+TITLE = "faults: kills, full disks, two runs at once, damaged caches, odd inputs"
+PARTS = ("kills", "stops", "twice", "caches", "disk", "inputs", "moved", "messages")  # of --part
+_PLACE = os.path.join(coupled.RUNS, "faults")
+
+
+def _kills(checks, known, long):
+    """Signals to each part of a run; few by default, 20 of each in the long part."""
+    trials = kills.plan(20) if long else [t for t in kills.plan(1) if (t["target"], t["signal"]) in (
+        ("DEM half", "TERM"), ("CFD half", "KILL"), ("mpirun", "KILL"), ("cases/run", "INT"))]
+    wrong = {}
+    for t in trials:
+        what = " ".join(str(t[k]) for k in ("target", "signal", "number"))
+        said = known.outcome(f"kill {what}", lambda t=t: kills.attempt(t, os.path.join(_PLACE, "kill")))
+        wrong.setdefault((t["target"], t["signal"]), []).append(said)
+    for (target, name), said in wrong.items():
+        bad = [s for s in said if s]
+        checks.true(f"SIG{name} to {target}: {len(said)} ended right", not bad, bad[0] if bad else len(said))
+
+
+def _stops(checks, _known, long):
+    """A half that is stopped for a while, and for longer than the time-out."""
+    for target in ("DEM half", "CFD half") if long else ("DEM half",):
+        code, state, said = kills.stopped(os.path.join(_PLACE, "stop"), target, 2, 60)
+        checks.true(f"{target} stopped for 2 s: goes on to its end", code == 0 and state.get("complete"), said[-200:])
+    for target in ("DEM half", "CFD half") if long else ("CFD half",):
+        code, state, said = kills.stopped(os.path.join(_PLACE, "stop"), target, 15 * victim.patience(), 3)
+        checks.true(f"{target} stopped for longer than the time-out: ends", code == 1 and "left:" not in said,
+                    said[-200:])
+        checks.true(f"{target} stopped for longer: the state says so",
+                    state.get("complete") is False and "3 s" in state.get("reason", ""), state)
+
+
+def _twice(checks, _known, _long):
+    """Two runs into one folder."""
+    codes, said, state = kills.twice(os.path.join(_PLACE, "twice"))
+    checks.equal("two runs into one folder: exit codes", sorted(c if c is not None else 99 for c in codes), [0, 2])
+    checks.true("two runs into one folder: the second says why", "another run writes there" in said, said[-200:])
+    checks.true("two runs into one folder: the first is complete", state.get("complete"), state)
+    checks.equal("two runs into one folder: parts of files", kills.remains(os.path.join(_PLACE, "twice")), [])
+
+
+def _prepare(where, *words):
+    """cases/run --dry-run of a small case; its outcome and folder."""
+    return coupled.case("sphere-half", f"faults/{where}", "--dry-run", "--set", "seed=977", "--set", "spheres=40",
+                        *words, limit=60 * victim.patience())
+
+
+def _caches(checks, _known, _long):
+    """Entries of the caches that are cut, emptied, or lack a file."""
+    first, folder = _prepare("cache-first")
+    checks.equal("caches: prepared", first.status, 0)
+    with open(os.path.join(folder, "packing.places"), encoding="utf-8") as f:
+        places = f.read()
+    for kind, name in (("packings", "packing.places"), ("packings", "packing.json"), ("meshes", "points"),
+                       ("meshes", "owner")):
+        newest = max(glob.glob(os.path.join(TOP, "build", kind, "*", name)), key=os.path.getatime)
+        for how in ("cut", "emptied", "removed"):
+            if how == "removed":
+                os.remove(newest)
+            else:
+                os.truncate(newest, os.path.getsize(newest) // 2 if how == "cut" else 0)
+            again, other = _prepare("cache-again")
+            with open(os.path.join(other, "packing.places"), encoding="utf-8") as f:
+                same = f.read() == places
+            checks.true(f"caches: {kind}/{name} {how}: named, healed, the same again",
+                        again.status == 0 and same
+                        and f"{os.path.dirname(newest)} is damaged: made anew" in again.output,
+                        again.output.strip()[-200:])
+
+
+def _disk(checks, known, long):
+    """A run on a disk of any size: it ends complete, or with the reason and the place."""
+    for size in range(60, 2060, 100) if long else (100, 700):
+        said = known.outcome(f"disk {size}", lambda size=size: _on_disk(size))
+        if said == "no mount":
+            checks.skipped("a full disk", "no small file system can be mounted here")
+            return
+        checks.true(f"a disk of {size} kB: complete, or the reason with its place", not said, said)
+
+
+def _on_disk(kilobytes):
+    with tempfile.TemporaryDirectory() as place:
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={kilobytes}k", "tmpfs", place], check=False,
+                          stderr=subprocess.DEVNULL).returncode:
+            return "no mount"
+        try:
+            with victim.Run("clump-half", os.path.join(place, "run"), "--end", "0.05") as run:
+                code, _ = run.end()
+                said, state = run.said().strip(), run.state()
+        finally:
+            subprocess.run(["umount", "-l", place], check=False)
+    if code is None or "Traceback" in said or "[Errno" in said or "[(" in said:
+        return f"exit code {code}: {said[-300:]}"
+    if code == 0:
+        return "" if state.get("complete") else f"exit code 0, but {state}"
+    if state.get("complete") and code != 4:
+        return f"exit code {code}, but complete"
+    last = said.splitlines()[-1] if said else ""
+    return "" if last and (place in said or "CFD" in said or "DEM" in said) else f"exit code {code}: {said[-300:]}"
+
+
+def _inputs(checks, known, long):
+    """Odd command lines: one line that says why, or a run that ends right."""
+    count = 500 if long else 12
+    wrong = []
+    for number in range(count):
+        words = inputs.words(number)
+        said = known.outcome(f"input {number} {words}", lambda words=words: _input(words))
+        if said:
+            wrong.append(f"{' '.join(words)}: {said}")
+    for line in wrong[:20]:
+        checks.note(line)
+    checks.true(f"{count} odd command lines: one line, or right", not wrong,
+                f"{len(wrong)}, as {wrong[0]}" if wrong else count)
+
+
+def _input(words):
+    folder = os.path.join(_PLACE, "input")
+    with victim.Run(words[0], folder, "--overwrite", *words[1:]) as run:
+        # what is refused has to be so soon; what runs may take its time, as seen by its plan
+        run.until(lambda: "plan: " in run.said(), 10)
+        if run.process.poll() is None and "plan: " not in run.said():
+            return "not a word in 10 s"
+        code, _ = run.end(60)
+        said = run.said().strip()
+        if code is None:
+            return "goes on after 60 s" if not _large(said) else ""
+        if "Traceback" in said:
+            return "a traceback: " + said.splitlines()[-1]
+        left = run.left()
+        if left:
+            return f"left: {left}"
+        if code == 0:
+            return "" if run.state().get("complete") else f"exit code 0, but {run.state()}"
+        reasons = [x for x in said.splitlines() if x.startswith("cases/run: ")]
+        if code == 2:
+            good = len(reasons) == 1 or "usage: " in said
+        else:
+            good = code in (1, 3) and run.state().get("reason", "lost") and "no half said why" not in said \
+                and "exited on signal" not in said
+        return "" if good else f"exit code {code}: {said[-300:]}"
+
+
+def _large(said):
+    """Whether the plan has said that it takes its time."""
+    line = next((x for x in said.splitlines() if x.startswith("plan: ")), "")
+    return line.endswith((" min", " h", " days", " years")) or " s" in line and float(line.split()[-2]) > 10
+
+
+def _moved(checks, _known, _long):
+    """The project's folder, copied to another place, with nothing left of the first in what it loads."""
+    with tempfile.TemporaryDirectory() as place:
+        for name in ("cases", "cmake", "__main__.py", "CMakeLists.txt"):
+            source = os.path.join(TOP, name)
+            shutil.copytree(source, os.path.join(place, name)) if os.path.isdir(source) else shutil.copy(source, place)
+        for name in ("bin/liggghts-clay", "bin/clayFoam", "lib"):
+            source, target = os.path.join(TOP, "build", name), os.path.join(place, "build", name)
+            os.makedirs(os.path.dirname(target), exist_ok=True)
+            shutil.copytree(source, target) if os.path.isdir(source) else shutil.copy(source, target)
+        for program in ("liggghts-clay", "clayFoam"):
+            said = subprocess.run(["ldd", os.path.join(place, "build", "bin", program)], capture_output=True, text=True,
+                                  check=False).stdout
+            ours = [x.strip() for x in said.splitlines() if TOP + os.sep in x or "not found" in x]
+            checks.equal(f"moved: {program} loads nothing from where it was", ours, [])
+        done = coupled.execute([os.path.join(place, "cases", "run"), "--no-setup", "clump-half", "--end", "0.01",
+                                "--no-pictures"], 120 * victim.patience())
+        checks.equal("moved: a run there", done.status, 0)
+
+
+def _messages(checks, _known, _long):
+    """Damaged messages between the halves: the tests of the decoders, which ctest knows."""
+    done = coupled.execute(["ctest", "--test-dir", os.path.join(TOP, "build"), "-R",
+                            r"^exchange\.(decode|damage_runs|fuzz)$"], 600 * victim.patience())
+    if "No tests were found" in done.output:
+        checks.skipped("damaged messages", "its tests are not built")
+        return
+    checks.true("damaged messages: exchange.decode, damage_runs, fuzz", done.status == 0, done.output.strip()[-200:])
+
+
+_DO = {"kills": _kills, "stops": _stops, "twice": _twice, "caches": _caches, "disk": _disk, "inputs": _inputs,
+       "moved": _moved, "messages": _messages}
+
+
+def run(checks):
+    os.makedirs(_PLACE, exist_ok=True)
+    signal.signal(signal.SIGPIPE, signal.SIG_IGN)
+    known = tries.Tries(os.path.join(_PLACE, "tries.jsonl"), tries.version())
+    for part in PARTS:
+        if part in (checks.parts or PARTS):
+            _DO[part](checks, known, checks.long)

@@ -180,8 +180,11 @@ def main():
         try:
             with open(os.path.join(folder, "summary.json"), encoding="utf-8") as f:
                 summary = json.load(f)
+            if summary.get("complete") is False:
+                raise CaseError(f"{folder}: is not complete: {summary.get('reason', 'it was stopped')}; its "
+                                "settling.csv can be named all the same")
             scale, title = float(summary["settings"]["time_scale"]), str(summary["case"])
-        except (OSError, ValueError, KeyError, TypeError):  # the curve is all that is needed
+        except (OSError, ValueError, KeyError, TypeError, AttributeError):  # the curve is all that is needed
             scale, title = None, os.path.basename(os.path.abspath(folder))
     elif not os.path.isfile(path):
         raise CaseError(f"{path}: does not exist; name a run folder or a CSV")

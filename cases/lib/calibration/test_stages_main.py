@@ -56,6 +56,15 @@ class StagesTest(unittest.TestCase):
         self.assertIn("settling stages: 3", said)
         self.assertGreater(os.path.getsize(os.path.join(self.store.name, "stages.png")), 10000)
 
+    def test_a_run_that_is_not_complete(self):
+        self.curve([0, 15, 60, 100], [-0.01, -0.001, -0.0001])
+        os.rename(self.path, os.path.join(self.store.name, "settling.csv"))
+        with open(os.path.join(self.store.name, "summary.json"), "w", encoding="utf-8") as f:
+            f.write('{"complete": false, "reason": "ended by SIGTERM"}')
+        with mock.patch.object(sys, "argv", ["stages", self.store.name]), \
+                self.assertRaisesRegex(CaseError, "is not complete: ended by SIGTERM"):
+            stages_main.main()
+
     def test_fewer_are_said_to_be_fewer(self):
         self.curve([0, 30, 100], [-0.005, -0.0003])
         said, found = self.run_on(self.path, "--data", "days,height_m", "--samples", "40")

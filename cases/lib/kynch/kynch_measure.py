@@ -47,6 +47,9 @@ class Record:
                             "cases/run") from None
         except (ValueError, KeyError, TypeError):
             raise CaseError(f"{folder}/summary.json: was not written by cases/run") from None
+        if summary.get("complete") is False:
+            raise CaseError(f"{folder}: is not complete: {summary.get('reason', 'it was stopped')}; "
+                            "name a finished run")
         if missing:
             raise CaseError(f"{folder}/summary.json: has no setting {missing[0]}; "
                             "name a run of a column of spheres")

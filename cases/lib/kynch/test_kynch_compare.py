@@ -122,6 +122,8 @@ class MadeUpRun(unittest.TestCase):
         for content, words in (("[]", "was not written by cases/run"),
                                ('{"case": "x"}', "was not written by cases/run"),
                                ('{"case": "x", "settings": 1}', "was not written by cases/run"),
+                               ('{"case": "x", "settings": {}, "complete": false, "reason": "ended by SIGTERM"}',
+                                "is not complete: ended by SIGTERM; name a finished run"),
                                ('{"case": "x", "settings": {"end": 1}}', "has no setting seed")):
             with open(os.path.join(folder, "summary.json"), "w", encoding="utf-8") as f:
                 f.write(content)

@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 from dataclasses import dataclass
 
@@ -135,8 +136,11 @@ class Run:
                                           stderr=subprocess.STDOUT, text=True, errors="replace",
                                           pass_fds=() if lock is None else (lock.number,),
                                           preexec_fn=stops.die_with_parent())
+            watch = threading.Thread(target=self._no_orphans, args=(halves,), daemon=True)
+            watch.start()
             said = self._watch(halves.stdout)
             status = halves.wait()
+            watch.join()
         except stops.Stopped as e:
             return Outcome(128 + e.signal, f"ended by {e} to cases/run")
         finally:
@@ -149,6 +153,14 @@ class Run:
             return Outcome(1, (said or "no half said why; mpirun may have been sent a signal") +
                            f" (mpirun's exit code {status})")
         return Outcome(0, "")
+
+    @staticmethod
+    def _no_orphans(halves):
+        """Ends ranks that outlive their mpirun: they may hold the pipe that is read."""
+        halves.wait()
+        for pid in children():
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
 
     @staticmethod
     def _end(halves):

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import tempfile
 
+from cases.lib.case import cache
 from cases.lib.case.casefile import TOP
 from validation.lib.checks import coupled
 from validation.lib.faults import inputs, kills, tries, victim
@@ -59,26 +60,37 @@ def _prepare(where, *words):
                         *words, limit=60 * victim.patience())
 
 
+def _read(path):
+    with open(path, "rb") as f:
+        return f.read()
+
+
+def _entry(kind, folder):
+    """The folder of the cache that a run's packing or mesh was copied from, known by its content."""
+    name, mine = {"packings": ("packing.places", "packing.places"),
+                  "meshes": ("points", "CFD/constant/polyMesh/points")}[kind]
+    mine = _read(os.path.join(folder, mine))
+    return next(os.path.dirname(p) for p in glob.glob(os.path.join(cache.place(kind), "*", name)) if _read(p) == mine)
+
+
 def _caches(checks, _known, _long):
     """Entries of the caches that are cut, emptied, or lack a file."""
     first, folder = _prepare("cache-first")
     checks.equal("caches: prepared", first.status, 0)
-    with open(os.path.join(folder, "packing.places"), encoding="utf-8") as f:
-        places = f.read()
     for kind, name in (("packings", "packing.places"), ("packings", "packing.json"), ("meshes", "points"),
                        ("meshes", "owner")):
-        newest = max(glob.glob(os.path.join(TOP, "build", kind, "*", name)), key=os.path.getatime)
+        file = os.path.join(_entry(kind, folder), name)
         for how in ("cut", "emptied", "removed"):
             if how == "removed":
-                os.remove(newest)
+                os.remove(file)
             else:
-                os.truncate(newest, os.path.getsize(newest) // 2 if how == "cut" else 0)
+                os.truncate(file, os.path.getsize(file) // 2 if how == "cut" else 0)
             again, other = _prepare("cache-again")
-            with open(os.path.join(other, "packing.places"), encoding="utf-8") as f:
-                same = f.read() == places
+            same = all(_read(os.path.join(other, n)) == _read(os.path.join(folder, n))
+                       for n in ("packing.places", "CFD/constant/polyMesh/points", "CFD/constant/polyMesh/owner"))
             checks.true(f"caches: {kind}/{name} {how}: named, healed, the same again",
                         again.status == 0 and same
-                        and f"{os.path.dirname(newest)} is damaged: made anew" in again.output,
+                        and f"{os.path.dirname(file)} is damaged: made anew" in again.output,
                         again.output.strip()[-200:])
 
 

@@ -199,3 +199,13 @@ std::array<double, 3> CoupledRun::meanOfField(const std::string& field) const {
     for (std::size_t c = 0; c < 3; ++c) mean[c] += value[c] / static_cast<double>(all.size());
   return mean;
 }
+
+CoupledRun smallColumn(const std::string& name) {
+  CoupledRun run(name);
+  run.box(
+      "x1 0.02; y1 0.02; z1 0.04; nx 2; ny 2; nz 4; topType patch; topU zeroGradient;"
+      "topP fixedValue;");
+  run.dem("hi", "0.02,0.02,0.04").dem("from", "0,0,0.02").dem("count", "4,4,4");
+  run.dem("to", "0.02,0.02,0.04").dem("gravity", "0,0,-9.81").dem("steps", 200);
+  return run;
+}

@@ -40,6 +40,8 @@ class CoupledRun {
 
   /// What both halves printed.
   const std::string& log() const { return log_; }
+  /// Whether it holds the text.
+  bool says(const std::string& text) const { return log_.find(text) != std::string::npos; }
   /// cfd.json of the last run.
   nlohmann::json cfd() const;
   /// The stand-in's history: mean velocity and height of spheres at each exchange.
@@ -66,3 +68,6 @@ class CoupledRun {
   std::map<std::string, std::string> dem_;
   int demRanks_ = 1, cfdRanks_ = 1;
 };
+
+/// A small column with spheres in its upper half, that runs well as it is.
+CoupledRun smallColumn(const std::string& name);

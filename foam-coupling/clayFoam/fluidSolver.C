@@ -219,7 +219,9 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
             << " Euler" << exit(FatalIOError);
     }
 
-    evaluateCoupled(p_);
+    // p, and what the turbulence model has read
+    evaluateAllCoupled<scalar>(mesh_);
+    evaluateAllCoupled<vector>(mesh_);
     setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
     mesh_.setFluxRequired(p_.name());
     turbulenceN_ == dimensionedScalar("one", dimless, 1);

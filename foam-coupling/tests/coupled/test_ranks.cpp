@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "coupledRun.h"
 
@@ -104,6 +105,44 @@ TEST(PeriodicSides, CutUpOverRanksGiveTheSame) {
     EXPECT_NEAR(v[2][c] / v[1][c], 1, 1e-9);
     EXPECT_NEAR(v[4][c] / v[1][c], 1, 1e-9);
   }
+}
+
+// decomposePar leaves the mean of both sides on periodic sides that it parts; a
+// state of one rank goes on from there on two as on one, its turbulence too
+TEST(PeriodicSides, AStateOfOneRankGoesOnOnTwo) {
+  const auto start = [](const std::string& name) {
+    auto run = periodicBox(name, 1, "(2 1 1)");
+    run.properties("quietFluid 0; forceModels (pressureGradient addedMass);");
+    run.edit("constant/turbulenceProperties", "laminar;",
+             "LES; LES { LESModel kEqn; turbulence on; delta cubeRootVol;"
+             " cubeRootVolCoeffs { deltaCoeff 1; } }");
+    run.edit("system/fvSchemes", "default                         none;",
+             "default none; div(phi,k) Gauss limitedLinear 1;");
+    run.edit("system/fvSolution", "\"(U|UFinal)\"", "\"(U|UFinal|k|kFinal)\"");
+    for (const std::string field : {"k", "nut"}) {
+      const std::string value = field == "k" ? "1e-3" : "1e-5";
+      const std::string dims = field == "k" ? "[0 2 -2 0 0 0 0]" : "[0 2 -1 0 0 0 0]";
+      std::ofstream(run.path() / "0" / field)
+          << "FoamFile { version 2.0; format ascii; class volScalarField; object " << field
+          << "; } dimensions " << dims << "; internalField uniform " << value
+          << "; boundaryField { \".*\" { type cyclic; } }\n";
+    }
+    return run;
+  };
+  double v[3][3] = {};
+  for (int ranks : {1, 2}) {
+    auto run = start("periodic-state-" + std::to_string(ranks));
+    const std::string state = (run.path() / "spheres").string();
+    run.dem("save", state);
+    ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+    run.dem("load", state).dem("start", 0.004).dem("steps", 100);
+    run.edit("system/decomposeParDict", "numberOfSubdomains  1;", "numberOfSubdomains  2;");
+    run.ranks(1, ranks);
+    if (ranks > 1) run.mesh();
+    ASSERT_EQ(run.run(), 0) << run.log();
+    for (int c = 0; c < 3; ++c) v[ranks][c] = run.lastVelocity(c);
+  }
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(v[2][c] / v[1][c], 1, 1e-10);
 }
 
 TEST(SavedState, OnOneRankOnlyIsRefused) {

@@ -240,7 +240,7 @@ void Foam::sayUnread
 
     for (const entry& e : runTime.controlDict())
     {
-        const word key(e.keyword());
+        const word& key = e.keyword();
         const word nearest(nearestWord(key, controlEntries));
         if (unread(e) && !controlEntries.found(key) && alike(key, nearest))
         {
@@ -258,7 +258,7 @@ void Foam::sayUnread
     );
     for (const entry& e : transport)
     {
-        const word key(e.keyword());
+        const word& key = e.keyword();
         if
         (
             e.isDict() && key != "FoamFile" && key.endsWith("Coeffs")

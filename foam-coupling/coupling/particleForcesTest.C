@@ -203,6 +203,58 @@ TEST(particleForces, pressureAndBuoyancy)
 }
 
 
+// gravity that is each particle's own, as the DEM half may send it
+TEST(particleForces, buoyancyOfEachParticlesGravity)
+{
+    sphereInBox one("forceModels (buoyancy);");
+    const vector other(1, 2, 3);
+    one.p.gravity = vectorField(1, other);
+    one.evaluate();
+    EXPECT_LT
+    (
+        mag(one.forces.hydrostatic[0] + rho*V*other), 1e-12*rho*V*mag(other)
+    );
+}
+
+
+// a body's sphere has the body's diameter and its factor
+TEST(particleForces, dragOfABody)
+{
+    sphereInBox one("dragModel Stokes; forceModels (buoyancy);");
+    one.set([](const point&) { return u0; });
+    one.p.dragFactor = scalarField(1, 0.4);
+    one.p.dragDiameter = scalarField(1, 3*d);
+    one.evaluate();
+    const scalar stokes = 18*nu*rho/sqr(3*d);
+    EXPECT_NEAR(one.forces.K[0]/(0.4*stokes*V), 1, 1e-12);
+    EXPECT_NEAR(one.forces.reynoldsMax()/(3*d*mag(u0)/nu), 1, 1e-12);
+}
+
+
+// late in the interval: velocity and pressure's force anew, drag as it was
+TEST(particleForces, velocityAndPressureAnew)
+{
+    sphereInBox one("dragModel DiFelice; forceModels (pressureGradient);");
+    one.set([](const point&) { return u0; });
+    one.evaluate();
+    const scalar K = one.forces.K[0];
+    one.set([](const point&) { return 2*u0; });
+    one.forces.velocity(one.p, one.U);
+    EXPECT_LT(mag(one.forces.u[0] - 2*u0), 1e-15);
+    EXPECT_EQ(one.forces.K[0], K);
+    const vector slope(3, -7, 11);
+    one.gradP == dimensionedVector("slope", dimAcceleration, slope);
+    const vectorField force(one.forces.pressureForce(one.p, one.gradP, rho));
+    EXPECT_LT(mag(force[0] + rho*V*slope), 1e-12*rho*V*mag(slope));
+
+    sphereInBox without("forceModels (buoyancy);");
+    EXPECT_EQ
+    (
+        mag(without.forces.pressureForce(without.p, one.gradP, rho)()[0]), 0
+    );
+}
+
+
 // Cm rho V; and explicit forces that follow by a part of their change
 TEST(particleForces, addedMassAndWhatFollows)
 {

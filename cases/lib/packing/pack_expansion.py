@@ -17,7 +17,7 @@ _STAGE = 0.05      # more solid fraction a stage, and at most
 _GROWTH = 1.3      # times as much: clumps that reach through each other stay so
 _FINEST = 0.005    # given up when a stage this small does not come to rest
 _STEPS = 2000      # of FIRE in a stage; near the densest many are needed
-_PATIENCE = 200    # given up when in so many steps less than a quarter of the energy goes
+_WINDOW = 200    # given up when in so many steps less than a quarter of the energy goes
 _SKIN = 0.25       # of a diameter: neighbours listed beyond contact
 
 
@@ -105,7 +105,7 @@ def _relax(shape, x, q, tube, say):
         f, left, energy = contacts.forces(points)
         if left <= goal:
             return x, q
-        if k % _PATIENCE == 0:
+        if k % _WINDOW == 0:
             if energy > 0.75 * before:
                 return None
             before = energy

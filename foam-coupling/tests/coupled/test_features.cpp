@@ -231,6 +231,8 @@ TEST(FixedFluxPressure, CarriesTheForceOfABedToTheInlet) {
                      1.75 * s * bed.U0 * bed.U0 / (e * e * e * d));
   }
   EXPECT_NEAR(n[0], 0.6, 1e-6);
+  // U is the superficial velocity there
+  EXPECT_EQ(run.onPatch("voidfraction", "bottom"), 1);
   EXPECT_NEAR(run.onPatch("p", "bottom") / p, 1, 2e-3);
 }
 

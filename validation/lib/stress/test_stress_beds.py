@@ -28,6 +28,8 @@ class Beds(unittest.TestCase):
     def test_the_map_has_four_hundred_runs_of_all_states(self):
         points = stress_beds.points()
         self.assertEqual({p["bed"] for p in points}, {"rest", "jammed", "held", "frozen"})
+        rest = {(p["model"], p["overlap"], p["scheme"]) for p in points if p["bed"] == "rest"}
+        self.assertEqual(len(rest), 8)
         both = points + stress_design.design()
         self.assertGreaterEqual(len({stress_main.identity(p) for p in both}), 400)
 

@@ -25,7 +25,8 @@ PRIMITIVE = re.compile(
     r"|gatherList|scatterList|exchange(?:Sizes)?|combineGather|combineScatter"
     r"|listCombineGather|listCombineScatter|adjustPhi|swapBoundaryCellList"
     r"|correctBoundaryConditions|needReference|setRefCell|setReference"
-    r"|finishedSends|handOver|evaluate(?:All)?Coupled(?:<\w+>)?|savedField<\w+>|MPI_(?:All\w+|Barrier|Bcast|Gather\w*|Reduce\w*|Scatter\w*))\s*\("
+    r"|finishedSends|handOver|evaluate(?:All)?Coupled(?:<\w+>)?|savedField<\w+>"
+    r"|MPI_(?:All\w+|Barrier|Bcast|Gather\w*|Reduce\w*|Scatter\w*))\s*\("
     r"|\bfv[cm]::\w+\s*\(|(?<!ldlt)(?:\.|->)solve\s*\(|\bsumShared_?\s*\("
     r"|(?:->|\.)(?:sumShared|own)\s*\(|interpolation<\w+>::New\s*\("
     r"|\btypeHeaderOk<uniform\w+>|(?:turbulence_->|transport_\.|fvOptions\.)correct\s*\(")

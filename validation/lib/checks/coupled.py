@@ -9,6 +9,7 @@ import signal
 import subprocess
 import time
 
+from cases.lib.case import stops
 from cases.lib.case.casefile import TOP
 from validation.lib.checks import rooms
 from validation.lib.checks.verdicts import Broken
@@ -28,12 +29,15 @@ def execute(words, limit, cwd=TOP, env=None):
     began = time.monotonic()
     process = subprocess.Popen(words, cwd=cwd, env=env, stdin=subprocess.DEVNULL, text=True,
                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                               errors="replace", start_new_session=True)
+                               errors="replace", start_new_session=True, preexec_fn=stops.die_with_parent())
     try:
         output, _ = process.communicate(timeout=limit)
         status = process.returncode
     except subprocess.TimeoutExpired:
         output, status = stop(process), None
+    except BaseException:  # this program is asked to end
+        stop(process)
+        raise
     return Outcome(status, output, time.monotonic() - began)
 
 

@@ -6,6 +6,7 @@ import os
 import sys
 import time
 
+from cases.lib.case import program
 from cases.lib.case.errors import nearest
 from validation.lib.checks import results_page, rooms, verdicts
 from validation.lib.checks.coupled import RUNS
@@ -90,4 +91,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    program.run(main, "validation/run")

@@ -4,8 +4,10 @@
 import json
 import signal
 import subprocess
+import sys
 import time
 
+from cases.lib.case.casefile import TOP
 from validation.lib.faults import inputs, kills, tries, victim
 
 
@@ -74,6 +76,23 @@ def test_tries_are_kept_and_those_of_other_programs_are_not(tmp_path):
         f.write(json.dumps({"version": "2", "what": "b", "wrong": ""})[:-3])  # it was killed here
     assert tries.Tries(path, "2").outcome("a", attempt) == ""
     assert len(count) == 3
+
+
+def test_nothing_is_left_when_validation_is_ended(tmp_path):
+    code = ("from validation.lib.checks import coupled\nfrom cases.lib.case import program\n"
+            f"program.run(lambda: coupled.execute(['sh', '-c', 'echo $$ > {tmp_path}/pid; sleep 60; true'], 60), 'x')")
+    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGKILL):
+        p = subprocess.Popen([sys.executable, "-c", code], cwd=TOP, stderr=subprocess.DEVNULL)
+        path, end = tmp_path / "pid", time.monotonic() + 30
+        while not (path.exists() and path.read_text().endswith("\n")) and time.monotonic() < end:
+            time.sleep(0.02)
+        child = int(path.read_text())
+        path.unlink()
+        p.send_signal(number)
+        assert p.wait(30) in (128 + number, -number)
+        while victim.runs(child) and time.monotonic() < end:
+            time.sleep(0.02)
+        assert not victim.runs(child)
 
 
 def test_what_is_left_is_found():

@@ -8,6 +8,7 @@ import subprocess
 import tempfile
 import time
 
+from cases.lib.case import stops
 from cases.lib.case.casefile import TOP
 
 LIMIT = 90  # [s] for a run to end once something was done to it
@@ -56,12 +57,13 @@ class Run:
 
     def __init__(self, name, folder, *words, env=None, ignore=()):
         self.folder = folder
+        ends = stops.die_with_parent()
         self.output = tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace")
         self.process = subprocess.Popen(
             [os.path.join(TOP, "cases", "run"), "--no-setup", name, "--out", folder, "--no-pictures", *words],
             stdin=subprocess.DEVNULL, stdout=self.output, stderr=subprocess.STDOUT, start_new_session=True,
             env={**os.environ, **(env or {})},
-            preexec_fn=lambda: [signal.signal(n, signal.SIG_IGN) for n in ignore])
+            preexec_fn=lambda: [ends(), *(signal.signal(n, signal.SIG_IGN) for n in ignore)])
         self.known = {}
 
     def said(self):

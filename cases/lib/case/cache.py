@@ -3,7 +3,6 @@
 of build/, or of the user's cache where that cannot be written to."""
 
 import contextlib
-import hashlib
 import json
 import os
 import shutil
@@ -43,8 +42,7 @@ def _sums(folder):
         for name in names:
             path = os.path.join(at, name)
             if os.path.relpath(path, folder) != _SUMS:
-                with open(path, "rb") as f:
-                    found[os.path.relpath(path, folder)] = hashlib.sha256(f.read()).hexdigest()
+                found[os.path.relpath(path, folder)] = files.sha256(path)
     return found
 
 

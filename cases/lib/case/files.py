@@ -4,6 +4,7 @@
 import contextlib
 import errno
 import fcntl
+import hashlib
 import json
 import os
 import shutil
@@ -64,6 +65,15 @@ def write_json(path, value):
     with writing(path) as f:
         json.dump(value, f, indent=2)
         f.write("\n")
+
+
+def sha256(path):
+    """A hash of a file's bytes, None of one that cannot be read."""
+    try:
+        with open(path, "rb") as f:
+            return hashlib.sha256(f.read()).hexdigest()
+    except OSError:
+        return None
 
 
 class Taken(Exception):

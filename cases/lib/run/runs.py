@@ -127,8 +127,9 @@ class Store:
 
     @staticmethod
     def _is_finished(job):
-        return (all(os.path.isfile(os.path.join(job.folder, f)) for f in (_DONE, "settling.csv"))
-                and state.complete(job.folder) and _note(job.folder).get("key") == job.key)
+        note = _note(job.folder)
+        return (note.get("key") == job.key and state.complete(job.folder)
+                and note.get("settling.csv") == files.sha256(os.path.join(job.folder, "settling.csv")))
 
     def run(self, name, changes):
         """The folder of a finished run; RunFailed when it fails."""
@@ -253,7 +254,8 @@ class Store:
             error = f"{job.name} {words(job.changes)} failed: {error} (log in {job.folder}/log)"
         else:
             files.write_json(os.path.join(job.folder, _DONE), {
-                "case": job.name, "changes": job.changes, "key": job.key, "wall_s": round(seconds, 3)})
+                "case": job.name, "changes": job.changes, "key": job.key, "wall_s": round(seconds, 3),
+                "settling.csv": files.sha256(os.path.join(job.folder, "settling.csv"))})
         os.close(job.lock)
         return Result(job.folder, error, False, seconds)
 

@@ -122,6 +122,14 @@ class RunsTest(unittest.TestCase):
         self.assertIsNone(self.store().finished("clump-half", {}))
         self.assertEqual(self.started(), 2)
 
+    def test_a_damaged_curve_is_made_anew(self):
+        for damage in (lambda p: os.truncate(p, 30), lambda p: os.truncate(p, 0), os.remove):
+            folder = self.store().run("clump-half", {})
+            damage(os.path.join(folder, "settling.csv"))
+            self.assertIsNone(self.store().finished("clump-half", {}))
+        self.assertEqual(list(runs.curve(self.store().run("clump-half", {}))["interface_m"]), [0.15, 0.1])
+        self.assertEqual(self.started(), 4)
+
     def test_a_damaged_note_is_made_anew(self):
         for note in ("", "{}", "[", '{"key": "other", "wall_s": 1}'):
             folder = self.store().run("clump-half", {})

@@ -103,6 +103,13 @@ macro(clayfoam_model_tests)
   target_link_libraries(faceOperatorsTest PRIVATE clayTestMesh Eigen3::Eigen)
   add_test(NAME faceOperatorsTest COMMAND faceOperatorsTest)
 
+  add_executable(carryingFluxTest
+    ${CLAYFOAM_MODEL_DIR}/clayFoam/carryingFluxTest.C
+    ${CLAYFOAM_MODEL_DIR}/clayFoam/carryingFlux.C
+    ${CLAYFOAM_MODEL_DIR}/clayFoam/keptFactorPreconditioner.C ${environment})
+  target_link_libraries(carryingFluxTest PRIVATE clayTestMesh Eigen3::Eigen)
+  add_test(NAME carryingFluxTest COMMAND carryingFluxTest)
+
   # the same on several ranks
   add_executable(parallelMappingTest
     ${CLAYFOAM_MODEL_DIR}/tests/parallelMappingTest.C ${environment})

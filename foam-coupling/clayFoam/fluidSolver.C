@@ -191,6 +191,7 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
     correctors_(0),
     fresh_(true),
     faces_(mesh),
+    carrying_(mesh),
     sourceFaces_(mesh.nFaces(), Zero),
     dragFaces_(mesh.nFaces(), Zero),
     nFaces_(mesh.nFaces(), 1),

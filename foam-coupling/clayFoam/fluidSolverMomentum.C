@@ -148,20 +148,30 @@ void Foam::fluidSolver::addStress(fvVectorMatrix& UEqn)
 Foam::tmp<Foam::fvVectorMatrix> Foam::fluidSolver::momentum
 (
     const particleCoupling& coupling,
-    const scalarField& ddtN,
+    const scalarField& continuityRate,
     fv::options& fvOptions
 )
 {
-    tmp<fvVectorMatrix> tUEqn(fvm::div(nPhi_, U_, "div(phi,U)"));
+    const scalarField& V = mesh_.V();
+    const scalarField& nOld = coupling.nOld().primitiveField();
+    const scalar rate = 1/runTime_.deltaTValue();
+
+    tmp<surfaceScalarField> carried(nPhi_);
+    scalarField ddtN(continuityRate);
+    // all ranks alike: a setting
+    if (coupling.ddtType() == couplingProperties::ddtType::particleFlux)
+    {
+        ddtN = (coupling.n().primitiveField() - nOld)*rate;
+        carried = carrying_(nPhi_, ddtN);
+    }
+
+    tmp<fvVectorMatrix> tUEqn(fvm::div(carried(), U_, "div(phi,U)"));
     fvVectorMatrix& UEqn = tUEqn.ref();
 
     // with ddtN = (n - nOld)/dt it is (n U - nOld UOld)/dt + div(n phi U): n U
     // is conserved although nPhi is that of the step before
-    const scalarField& V = mesh_.V();
-    const scalarField& nOld = coupling.nOld().primitiveField();
     const scalarField& Sp = coupling.Sp().primitiveField();
     const vectorField& UOld = U_.oldTime().primitiveField();
-    const scalar rate = 1/runTime_.deltaTValue();
     scalarField& diag = UEqn.diag();
     vectorField& source = UEqn.source();
     forAll(diag, celli)

@@ -400,13 +400,13 @@ void Foam::couplingProperties::checkMesh(const polyMesh& mesh) const
 
 
 Foam::couplingProperties::ddtType
-Foam::couplingProperties::ddt(const bool smooth) const
+Foam::couplingProperties::ddt(const bool sharp) const
 {
     if (ddt_ == "none")
     {
         return ddtType::none;
     }
-    if (ddt_ == "particleFlux" || (ddt_ == "auto" && !smooth))
+    if (ddt_ == "particleFlux" || (ddt_ == "auto" && !sharp))
     {
         return ddtType::particleFlux;
     }

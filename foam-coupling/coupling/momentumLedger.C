@@ -42,13 +42,7 @@ void Foam::momentumLedger::smooth
     }
 
     const vector before(gSum(cells*mesh_.V()));
-    scalarField component(cells.size());
-    for (direction d = 0; d < vector::nComponents; ++d)
-    {
-        component = cells.component(d);
-        smoothing.smooth(component);
-        cells.replace(d, component);
-    }
+    smoothing.smooth(cells);
     const vector after(gSum(cells*mesh_.V()));
     cells += (before - after)/gSum(mesh_.V());
 }
@@ -121,7 +115,12 @@ void Foam::momentumLedger::settle
     spread(p, vectorField(p.impulse - buoyancy), received);
     smooth(smoothing, received);
 
-    owed_.primitiveFieldRef() -= received + given_;
+    // what cells were given on lengths that smoothing does not let particles
+    // see has damped differences there, and is not asked back; its sum is zero
+    vectorField answered(given_);
+    smooth(smoothing, answered);
+
+    owed_.primitiveFieldRef() -= received + answered;
     owed_.correctBoundaryConditions();
 
     vector given(gSum(given_*mesh_.V()));

@@ -425,3 +425,78 @@ TEST(momentumLedger, givesTheWholeReactionAnew)
     one.ledger.prepare(1e-3);
     EXPECT_LT(mag(one.source() + one.force[0]), 1e-12*mag(one.force[0]));
 }
+
+
+// with smoothing, fluid whose velocity goes up and down from cell to cell, of
+// which particles see nothing, is damped: what damped it is not asked back, and
+// no momentum is lost by that
+TEST(momentumLedger, whatParticlesDoNotSeeIsDamped)
+{
+    const label n = 16;
+    const test::meshCase c
+    (
+        test::block({n, 1, 1}, Zero, {n*1e-3, 1e-3, 1e-3})
+    );
+    const fvMesh& mesh = c.mesh();
+    const auto smoothing = smoothingModel::New
+    (
+        test::settings
+        (
+            "smoothingModel diffusion; diffusionCoeffs { bandwidth 3e-3; }"
+        ),
+        mesh
+    );
+    volVectorField U
+    (
+        IOobject("U", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimVelocity, Zero),
+        calculatedFvPatchVectorField::typeName
+    );
+
+    // one particle in each cell, at rest
+    dispersedParticles p;
+    p.setSize(n);
+    p.mass = 2e-6;
+    p.volume = 0.1*V;
+    p.owned = true;
+    for (label i = 0; i < n; ++i)
+    {
+        p.append(i, 1);
+        p.endRow(i);
+    }
+    const scalar T = 1e-3, k = 1e-5;
+    const scalarField none;
+    momentumLedger ledger(mesh, rho, false);
+    ledger.setSources
+    (
+        p, p.velocity, scalarField(n, k), vectorField(n, Zero), none,
+        smoothing()
+    );
+    ledger.begin(T);
+    ledger.prepare(T);
+    forAll(U, i)
+    {
+        U[i] = vector(i % 2 ? 0.1 : -0.1, 0, 0);
+    }
+    ledger.record(U, T);
+
+    // they have received nothing, and nothing is owed but at the ends
+    ledger.settle(p, vectorField(n, Zero), smoothing());
+    const scalar given = 0.1*k*T;
+    ledger.begin(T);
+    ledger.setSources
+    (
+        p, p.velocity, scalarField(n, Zero), vectorField(n, Zero), none,
+        smoothing()
+    );
+    ledger.prepare(T);
+    const scalarField owed
+    (
+        ledger.F().primitiveField().component(0)()*rho*V*T
+    );
+    EXPECT_LT(mag(owed[7]), 0.03*given);
+    EXPECT_LT(mag(owed[8]), 0.03*given);
+    EXPECT_LT(ledger.residual(Zero), 1e-12);
+    EXPECT_LT(mag(ledger.owed()), 1e-12*given);
+}

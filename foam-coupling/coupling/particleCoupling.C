@@ -99,12 +99,13 @@ Foam::particleCoupling::particleCoupling
     mapping_(voidFractionModel::New(properties_, mesh_)),
     kept_(properties_.keepMapping()),
     smoothing_(smoothingModel::New(properties_, mesh_)),
-    ddtType_(properties_.ddt(mapping_->smooth() || smoothing_->active())),
+    ddtType_(properties_.ddt(mapping_->smooth() && !smoothing_->active())),
     sumShared_(sharedSum()),
     forces_
     (
         properties_,
         sumShared_,
+        smoothing_(),
         rho_,
         {
             mesh_,
@@ -113,6 +114,8 @@ Foam::particleCoupling::particleCoupling
             nu_,
             rho_,
             smoothing_->spread(),
+            (properties_.interpolation() == "mapped" ? 2 : 1)
+           *smoothing_->spread(),
             ddtType_ == couplingProperties::ddtType::difference ? 1.0
           : ddtType_ == couplingProperties::ddtType::particleFlux ? 2.0 : 0.0,
             properties_.has("pressureGradient")

@@ -10,46 +10,69 @@
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Type>
+Foam::tmp<Foam::Field<Type>> Foam::particleForces::mean
+(
+    const Field<Type>& cells,
+    const dispersedParticles& p
+) const
+{
+    auto tvalues = tmp<Field<Type>>::New(p.size(), Zero);
+    Field<Type>& values = tvalues.ref();
+    forAll(values, i)
+    {
+        for (label e = p.offset[i]; e < p.offset[i + 1]; ++e)
+        {
+            values[i] += p.weight[e]*cells[p.cellIndex[e]];
+        }
+    }
+    // all ranks alike: there is one or there are several
+    if (sumShared_)
+    {
+        const int width = pTraits<Type>::nComponents;
+        std::vector<double> parts(width*values.size());
+        forAll(values, i)
+        {
+            for (int d = 0; d < width; ++d)
+            {
+                parts[width*i + d] = component(values[i], d);
+            }
+        }
+        sumShared_(parts, width);
+        forAll(values, i)
+        {
+            for (int d = 0; d < width; ++d)
+            {
+                setComponent(values[i], d) = parts[width*i + d];
+            }
+        }
+    }
+    return tvalues;
+}
+
+
+template<class Type>
 Foam::tmp<Foam::Field<Type>> Foam::particleForces::sample
 (
     const GeometricField<Type, fvPatchField, volMesh>& field,
     const dispersedParticles& p
 ) const
 {
-    auto tvalues = tmp<Field<Type>>::New(p.size(), Zero);
-    Field<Type>& values = tvalues.ref();
-
+    // all ranks alike: a setting
     if (properties_.interpolation() == "mapped")
     {
-        forAll(values, i)
+        // all ranks alike: the model
+        if (!smoothing_.active())
         {
-            for (label e = p.offset[i]; e < p.offset[i + 1]; ++e)
-            {
-                values[i] += p.weight[e]*field[p.cellIndex[e]];
-            }
+            return mean(field.primitiveField(), p);
         }
-        if (sumShared_)
-        {
-            const int width = pTraits<Type>::nComponents;
-            std::vector<double> parts(width*values.size());
-            forAll(values, i)
-            {
-                for (int d = 0; d < width; ++d)
-                {
-                    parts[width*i + d] = component(values[i], d);
-                }
-            }
-            sumShared_(parts, width);
-            forAll(values, i)
-            {
-                for (int d = 0; d < width; ++d)
-                {
-                    setComponent(values[i], d) = parts[width*i + d];
-                }
-            }
-        }
-        return tvalues;
+        // as the particles' own forces go to the cells
+        Field<Type> cells(field.primitiveField());
+        smoothing_.smooth(cells);
+        return mean(cells, p);
     }
+
+    auto tvalues = tmp<Field<Type>>::New(p.size(), Zero);
+    Field<Type>& values = tvalues.ref();
 
     autoPtr<interpolation<Type>> scheme;
     if (properties_.interpolation() != "cell")
@@ -201,12 +224,14 @@ Foam::particleForces::particleForces
 (
     const couplingProperties& properties,
     const voidFractionModel::sharedSum& sumShared,
+    const smoothingModel& smoothing,
     const scalar rho,
     const selfDisturbanceModel::setting& self
 )
 :
     properties_(properties),
     sumShared_(sumShared),
+    smoothing_(smoothing),
     drag_(dragModel::New(properties)),
     forces_(properties.forces().size()),
     self_(selfDisturbanceModel::New(properties, self)),
@@ -313,7 +338,13 @@ void Foam::particleForces::evaluate
         force.prepare(fluid);
     }
     u = sample(fluid.U, p);
-    scalarField fraction(sample(n, p));
+    // the particles' volume has been smoothed already
+    scalarField fraction
+    (
+        // all ranks alike: a setting
+        properties_.interpolation() == "mapped"
+      ? mean(n.primitiveField(), p) : sample(n, p)
+    );
     vectorField ownForce;
     // all ranks alike: the model
     if (self_->active())

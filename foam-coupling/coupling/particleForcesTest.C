@@ -39,6 +39,7 @@ class sphereInBox
 {
     test::meshCase case_;
     couplingProperties properties_;
+    autoPtr<smoothingModel> smoothing_;
     volScalarField n_, nuEff_;
 
     template<class Type>
@@ -64,7 +65,11 @@ public:
     dispersedParticles p;
     scalarField part;
 
-    explicit sphereInBox(const std::string& text)
+    explicit sphereInBox
+    (
+        const std::string& text,
+        const std::string& smoothing = ""
+    )
     :
         case_
         (
@@ -74,6 +79,10 @@ public:
             )
         ),
         properties_(with(case_, text).mesh().time()),
+        smoothing_
+        (
+            smoothingModel::New(test::settings(smoothing), case_.mesh())
+        ),
         n_(case_.field("n")),
         nuEff_(field<scalar>(case_.mesh(), "nuEff")),
         U(field<vector>(case_.mesh(), "U")),
@@ -82,10 +91,11 @@ public:
         (
             properties_,
             nullptr,
+            smoothing_(),
             rho,
             {
                 case_.mesh(), "centre", properties_.interpolation(), nu, rho,
-                0, 0, true
+                0, 0, 0, true
             }
         ),
         part(case_.mesh().nCells(), 1)
@@ -363,4 +373,31 @@ TEST(particleForces, fieldsAreTakenByTheScheme)
         );
         EXPECT_LT(mag(one.forces.u[0] - expected), 1e-12) << scheme;
     }
+}
+
+
+// with smoothing the sphere sees what it would give: the mean of a field by
+// where a unit of its own would go, adjoint
+TEST(particleForces, smoothingActsBothWays)
+{
+    const std::string wide
+    (
+        "smoothingModel diffusion; diffusionCoeffs { bandwidth 4e-3; }"
+    );
+    sphereInBox one("dragModel Stokes;", wide);
+    const auto waves = [](const point& x)
+    {
+        return vector(std::sin(2e3*x.x()), std::cos(1e3*x.y()), 1e3*x.z());
+    };
+    one.set(waves);
+    one.evaluate();
+
+    const fvMesh& mesh = one.U.mesh();
+    scalarField given(mesh.nCells(), Zero);
+    given[one.p.cell[0]] = 1/mesh.V()[one.p.cell[0]];
+    smoothingModel::New(test::settings(wide), mesh)->smooth(given);
+    const vector seen(sum(given*mesh.V()*one.U.primitiveField()));
+
+    EXPECT_LT(mag(one.forces.u[0] - seen), 1e-12);
+    EXPECT_GT(mag(seen - one.U[one.p.cell[0]]), 0.1);
 }

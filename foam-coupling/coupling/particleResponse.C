@@ -71,16 +71,7 @@ void Foam::particleResponse::finish
     Field<Type>& cells = sums.primitiveFieldRef();
     cells /= mesh_.V();
 
-    if (smoothing.active())
-    {
-        scalarField component(cells.size());
-        for (direction d = 0; d < pTraits<Type>::nComponents; ++d)
-        {
-            component = cells.component(d);
-            smoothing.smooth(component);
-            cells.replace(d, component);
-        }
-    }
+    smoothing.smooth(cells);
     sums.correctBoundaryConditions();
 }
 

@@ -38,16 +38,7 @@ void Foam::voidFractionHistory::particleFlux
     }
     cells /= mesh_.V();
 
-    if (smoothing.active())
-    {
-        scalarField component(cells.size());
-        for (direction d = 0; d < vector::nComponents; ++d)
-        {
-            component = cells.component(d);
-            smoothing.smooth(component);
-            cells.replace(d, component);
-        }
-    }
+    smoothing.smooth(cells);
     flux.correctBoundaryConditions();
 
     ddt_ = fvc::div(fvc::interpolate(flux, "interpolate(U)") & mesh_.Sf());
@@ -143,6 +134,14 @@ bool Foam::voidFractionHistory::begin
     else
     {
         start_ = end_;
+    }
+
+    // all ranks alike: a setting, and the start of a run
+    if (fresh_ && ddt == couplingProperties::ddtType::difference)
+    {
+        // the first interval has no other before it: what moves now has moved
+        particleFlux(p, smoothing);
+        start_ = mapped - T*ddt_.primitiveField();
     }
 
     // a short interval takes its share of the change, the rest comes later

@@ -1,6 +1,6 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "smoothingModel.H"
+#include "diffusionSmoothing.H"
 #include "mathematicalConstants.H"
 #include "testMesh.H"
 #include "zeroGradientFvPatchFields.H"
@@ -15,8 +15,7 @@ namespace
 autoPtr<smoothingModel> diffusion
 (
     const fvMesh& mesh,
-    const scalar b,
-    const label steps
+    const scalar b
 )
 {
     return smoothingModel::New
@@ -24,7 +23,7 @@ autoPtr<smoothingModel> diffusion
         test::settings
         (
             "smoothingModel diffusion; diffusionCoeffs { bandwidth "
-          + std::to_string(b) + "; steps " + std::to_string(steps) + "; }"
+          + std::to_string(b) + "; }"
         ),
         mesh
     );
@@ -32,9 +31,8 @@ autoPtr<smoothingModel> diffusion
 
 // largest difference from exp(-x^2/b^2)/(b sqrt(pi)) over its peak, of a unit
 // dropped into the middle of a line of cells
-scalar kernelError(const label steps)
+scalar kernelError(const label n)
 {
-    const label n = 201;
     const scalar b = 0.1;
     const test::meshCase c
     (
@@ -42,7 +40,7 @@ scalar kernelError(const label steps)
     );
     scalarField psi(n, 0.0);
     psi[n/2] = n;
-    diffusion(c.mesh(), b, steps)->smooth(psi);
+    diffusion(c.mesh(), b)->smooth(psi);
 
     scalar worst = 0;
     const scalar peak = 1/(b*std::sqrt(constant::mathematical::pi));
@@ -57,32 +55,91 @@ scalar kernelError(const label steps)
 }
 
 
+// second order in the cells' size
 TEST(smoothing, kernelIsGaussian)
 {
-    const scalar one = kernelError(1);
-    const scalar six = kernelError(6);
-    const scalar many = kernelError(60);
-    EXPECT_GT(one, 0.2);
-    EXPECT_LT(six, 0.08);
-    EXPECT_LT(many, 0.01);
+    EXPECT_LT(kernelError(51), 0.02);
+    EXPECT_LT(kernelError(201), 0.02/14);
 }
 
 
-TEST(smoothing, variance)
+// in cells of a ninth to eight ninths of b, and of half as many again as b
+TEST(smoothing, varianceIsThatOfTheGaussian)
 {
-    const label n = 101;
-    const test::meshCase c
-    (
-        test::block({n, 1, 1}, point(-0.5, 0, 0), point(0.5, 1, 1))
-    );
-    for (const label steps : {1, 6})
+    for (const scalar b : {0.011, 0.03, 0.088})
     {
+        const label n = 101;
+        const test::meshCase c
+        (
+            test::block({n, 1, 1}, point(-0.5, 0, 0), point(0.5, 1, 1))
+        );
         scalarField psi(n, 0.0);
         psi[n/2] = n;
-        diffusion(c.mesh(), 0.08, steps)->smooth(psi);
+        diffusion(c.mesh(), b)->smooth(psi);
         const scalarField x(c.mesh().C().primitiveField().component(0));
-        EXPECT_NEAR(sum(psi*sqr(x))/n, sqr(0.08)/2, 1e-3*sqr(0.08)) << steps;
+        EXPECT_NEAR(sum(psi*sqr(x))/n, sqr(b)/2, 1e-6*sqr(b)) << b;
     }
+}
+
+
+// exp(-a (1 + x)) by its series, to what is left out of it
+TEST(smoothing, seriesOfTheExponential)
+{
+    for (const scalar a : {0.0, 1e-3, 0.7, 20.0, 3000.0})
+    {
+        const List<scalar> c(smoothingModels::chebyshevOfExp(a, 1e-8));
+        EXPECT_LE(c.size(), 6*std::sqrt(a + 1) + 4) << a;
+        for (const scalar x : {-1.0, -0.999, -0.3, 0.6, 1.0})
+        {
+            scalar last = 1, now = x, sum = c[0];
+            for (label k = 1; k < c.size(); ++k)
+            {
+                sum += c[k]*now;
+                const scalar next = 2*x*now - last;
+                last = now;
+                now = next;
+            }
+            EXPECT_NEAR(sum, std::exp(-a*(1 + x)), 3e-8) << a << ' ' << x;
+        }
+    }
+}
+
+
+// smooth(f) g V summed is f smooth(g) V summed: on even and uneven cells
+TEST(smoothing, isItsOwnAdjoint)
+{
+    test::polyhedra cells(test::tetBlock({5, 5, 5}, Zero, {0.02, 0.02, 0.02}));
+    test::shake(cells, 5e-4, 2, false);
+    const test::meshCase c(cells);
+    const auto m = diffusion(c.mesh(), 6e-3);
+    const scalarField& V = c.mesh().V();
+    scalarField f(V.size()), g(V.size());
+    forAll(f, i)
+    {
+        f[i] = std::sin(1.0 + i);
+        g[i] = std::cos(2.0*i);
+    }
+    scalarField smoothF(f), smoothG(g);
+    m->smooth(smoothF);
+    m->smooth(smoothG);
+    const scalar size = std::sqrt(sum(V*sqr(f))*sum(V*sqr(g)));
+    EXPECT_NEAR(sum(V*smoothF*g)/size, sum(V*f*smoothG)/size, 1e-14);
+    EXPECT_GT(mag(sum(V*smoothF*g)/size - sum(V*f*g)/size), 1e-3);
+}
+
+
+// a vector's components as scalars
+TEST(smoothing, vectorsAsScalars)
+{
+    const test::meshCase c(test::block({4, 5, 6}, Zero, {4e-3, 5e-3, 6e-3}));
+    const auto m = diffusion(c.mesh(), 3e-3);
+    vectorField f(c.mesh().nCells(), Zero);
+    f[17] = vector(1, -2, 3);
+    scalarField z(f.component(2));
+    m->smooth(f);
+    m->smooth(z);
+    EXPECT_LT(max(mag(scalarField(f.component(2)) - z)), 1e-15);
+    EXPECT_LT(max(mag(scalarField(f.component(0)) - z/3)), 1e-15);
 }
 
 
@@ -98,7 +155,7 @@ TEST(smoothing, integralIsKept)
     for (const auto& cells : meshes)
     {
         const test::meshCase c(cells);
-        const auto m = diffusion(c.mesh(), 6e-3, 6);
+        const auto m = diffusion(c.mesh(), 6e-3);
         EXPECT_TRUE(m->active());
         const scalarField& V = c.mesh().V();
 
@@ -134,7 +191,7 @@ TEST(smoothing, uniformStays)
 {
     const test::meshCase c(test::cylinder({8, 8, 10}, 16e-3, 48e-3));
     scalarField psi(c.mesh().nCells(), 0.3);
-    diffusion(c.mesh(), 6e-3, 6)->smooth(psi);
+    diffusion(c.mesh(), 6e-3)->smooth(psi);
     EXPECT_LT(max(mag(psi - 0.3)), 1e-13);
 }
 
@@ -161,7 +218,7 @@ TEST(smoothing, refusals)
             "smoothingModel diffusion;",
             "smoothingModel diffusion; diffusionCoeffs { bandwidth -1; }",
             "smoothingModel diffusion;"
-            " diffusionCoeffs { bandwidth 1; steps 0; }"
+            " diffusionCoeffs { bandwidth 1; steps 6; }"
         })
     {
         EXPECT_THROW

@@ -95,7 +95,19 @@ Foam::selfDisturbanceModels::latticeMemory::response(const vector& h)
     }];
     if (!found)
     {
-        found.reset(new latticeResponse(h, spread));
+        found.reset
+        (
+            new latticeResponse
+            (
+                h,
+                spread,
+                min
+                (
+                    setting_.solidSmoothing/sqr(unit),
+                    latticeResponse::thetaMax()
+                )
+            )
+        );
     }
     return *found;
 }

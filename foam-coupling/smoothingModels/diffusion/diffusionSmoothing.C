@@ -18,39 +18,191 @@ namespace smoothingModels
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+Foam::List<Foam::scalar> Foam::smoothingModels::chebyshevOfExp
+(
+    const scalar a,
+    const scalar rest
+)
+{
+    if (!(a > 1e-12))
+    {
+        return List<scalar>(1, 1.0);
+    }
+
+    // Miller's recurrence from far above, in proportion; e^-a times the sum
+    // I_0 + 2 I_1 + 2 I_2 ... is one
+    const label far = 20 + label(12*std::sqrt(a + 1));
+    List<scalar> I(far + 2, Zero);
+    I[far] = 1e-280;
+    for (label k = far; k > 0; --k)
+    {
+        I[k - 1] = I[k + 1] + 2*k/a*I[k];
+        if (I[k - 1] > 1e200)
+        {
+            for (label j = k - 1; j <= far; ++j)
+            {
+                I[j] *= 1e-200;
+            }
+        }
+    }
+    scalar all = I[0];
+    for (label k = 1; k <= far; ++k)
+    {
+        all += 2*I[k];
+    }
+
+    label last = 0;
+    scalar left = all - I[0];
+    while (left > rest*all)
+    {
+        left -= 2*I[++last];
+    }
+
+    List<scalar> c(last + 1);
+    forAll(c, k)
+    {
+        c[k] = (k ? 2 : 1)*(k % 2 ? -1 : 1)*I[k]/(all - left);
+    }
+    return c;
+}
+
+
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
-void Foam::smoothingModels::diffusion::makeMatrix() const
+void Foam::smoothingModels::diffusion::prepare() const
 {
-    const scalar tau = sqr(bandwidth_)/4/steps_;
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const scalarField& V = mesh_.V();
     const surfaceScalarField& deltaCoeffs = mesh_.nonOrthDeltaCoeffs();
 
-    matrix_.reset(new fvScalarMatrix(psi_, dimVolume));
-    fvScalarMatrix& m = matrix_.ref();
-
-    m.upper() =
-       -tau*deltaCoeffs.primitiveField()*mesh_.magSf().primitiveField();
-    m.negSumDiag();
-    m.diag() += mesh_.V().field();
-
-    forAll(psi_.boundaryField(), patchi)
+    owner_.setSize(mesh_.nFaces());
+    owner_ = Zero;
+    neighbour_.setSize(mesh_.nInternalFaces());
+    forAll(nei, f)
     {
-        const fvPatchScalarField& patch = psi_.boundaryField()[patchi];
-        const scalarField& coeffs = deltaCoeffs.boundaryField()[patchi];
-        const scalarField flux(-tau*mesh_.magSf().boundaryField()[patchi]);
+        const scalar g = deltaCoeffs[f]*mesh_.magSf()[f];
+        owner_[f] = g/V[own[f]];
+        neighbour_[f] = g/V[nei[f]];
+    }
 
+    coupled_ = false;
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
         if (patch.coupled())
         {
-            m.internalCoeffs()[patchi] =
-                flux*patch.gradientInternalCoeffs(coeffs);
-            m.boundaryCoeffs()[patchi] =
-               -flux*patch.gradientBoundaryCoeffs(coeffs);
+            coupled_ = true;
+            forAll(patch, i)
+            {
+                const label f = patch.start() + i;
+                owner_[f] =
+                    deltaCoeffs.boundaryField()[patchi][i]*patch.magSf()[i]
+                   /V[own[f]];
+            }
         }
+    }
+    reduce(coupled_, orOp<bool>());
+
+    diagonal_.setSize(mesh_.nCells());
+    diagonal_ = Zero;
+    forAll(owner_, f)
+    {
+        diagonal_[own[f]] += owner_[f];
+        if (f < nei.size())
+        {
+            diagonal_[nei[f]] += neighbour_[f];
+        }
+    }
+
+    // Gershgorin's bound
+    bound_ = max(2*gMax(diagonal_), VSMALL);
+    series_ = chebyshevOfExp(0.5*spread()*bound_, 1e-8);
+    prepared_ = true;
+}
+
+
+template<class Type>
+void Foam::smoothingModels::diffusion::step
+(
+    const Field<Type>& now,
+    const Field<Type>& last,
+    Field<Type>& next
+) const
+{
+    const labelUList& own = mesh_.faceOwner();
+    const labelUList& nei = mesh_.faceNeighbour();
+    const scalar scale = 4/bound_;
+
+    forAll(next, celli)
+    {
+        next[celli] =
+            (scale*diagonal_[celli] - 2)*now[celli] - last[celli];
+    }
+    forAll(nei, f)
+    {
+        next[own[f]] -= (scale*owner_[f])*now[nei[f]];
+        next[nei[f]] -= (scale*neighbour_[f])*now[own[f]];
+    }
+
+    // all ranks alike: found for all of them
+    if (coupled_)
+    {
+        auto& field = carrier(now);
+        field.primitiveFieldRef() = now;
+        field.correctBoundaryConditions();
+        forAll(field.boundaryField(), patchi)
+        {
+            const auto& patch = field.boundaryField()[patchi];
+            if (patch.coupled())
+            {
+                const Field<Type> behind(patch.patchNeighbourField());
+                const label start = patch.patch().start();
+                forAll(behind, i)
+                {
+                    next[own[start + i]] -=
+                        (scale*owner_[start + i])*behind[i];
+                }
+            }
+        }
+    }
+}
+
+
+template<class Type>
+void Foam::smoothingModels::diffusion::spreadOut(Field<Type>& cells) const
+{
+    // all ranks alike: so is whether it was made
+    if (!prepared_ || mesh_.changing())
+    {
+        prepare();
+    }
+
+    // T_0, and T_1 as half of what step() gives with nothing before
+    Field<Type> last(cells), now(cells.size(), Zero), next(cells.size());
+    const Field<Type> nothing(cells.size(), Zero);
+
+    cells *= series_[0];
+    const label terms = series_.size();
+    // all ranks alike: by the bound of all of them
+    for (label k = 1; k < terms; ++k)
+    {
+        // all ranks alike: a count
+        if (k == 1)
+        {
+            step(last, nothing, now);
+            now *= 0.5;
+        }
+        // all ranks alike: likewise
         else
         {
-            m.internalCoeffs()[patchi] = Zero;
-            m.boundaryCoeffs()[patchi] = Zero;
+            step(now, last, next);
+            last.swap(now);
+            now.swap(next);
         }
+        cells += series_[k]*now;
     }
 }
 
@@ -63,10 +215,12 @@ Foam::smoothingModels::diffusion::diffusion
     const fvMesh& mesh
 )
 :
-    smoothingModel(dict, mesh, typeName, {"bandwidth", "steps"}),
+    smoothingModel(dict, mesh, typeName, {"bandwidth"}),
     bandwidth_(coeffs_.lookupOrDefault<scalar>("bandwidth", -1)),
-    steps_(coeffs_.lookupOrDefault<label>("steps", 6)),
-    psi_
+    prepared_(false),
+    coupled_(false),
+    bound_(0),
+    scalars_
     (
         IOobject
         (
@@ -80,6 +234,21 @@ Foam::smoothingModels::diffusion::diffusion
         mesh,
         dimensionedScalar(dimless, Zero),
         zeroGradientFvPatchScalarField::typeName
+    ),
+    vectors_
+    (
+        IOobject
+        (
+            "clayFoam:smoothedVectors",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh,
+        dimensionedVector(dimless, Zero),
+        zeroGradientFvPatchVectorField::typeName
     )
 {
     if (!coeffs_.found("bandwidth"))
@@ -89,80 +258,21 @@ Foam::smoothingModels::diffusion::diffusion
             << exit(FatalIOError);
     }
     numberAbove(dict, "diffusionCoeffs: bandwidth", bandwidth_, 0, " m");
-    wholeNumberFrom(dict, "diffusionCoeffs: steps", steps_, 1, 1000);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::smoothingModels::diffusion::spread() const
-{
-    const scalar m = steps_;
-    const scalar T = sqr(bandwidth_)/4;
-    const scalar wide = exp(2*(std::lgamma(m) - std::lgamma(m - 0.5)))/m;
-
-    // within a cell the steps make no difference
-    const scalar cell = pow(gAverage(mesh_.V().field()), 2.0/3.0);
-    return T*(1 - (1 - wide)*T/(T + 0.5*cell));
-}
-
-
 void Foam::smoothingModels::diffusion::smooth(scalarField& cells) const
 {
-    if (!matrix_.valid() || mesh_.changing())
-    {
-        makeMatrix();
-    }
-
-    const scalarField& V = mesh_.V().field();
-    const scalar before = gSum(V*cells);
-
-    dictionary controls;
-    controls.add("solver", "PCG");
-    controls.add("preconditioner", "DIC");
-    controls.add("tolerance", 1e-14);
-    controls.add("relTol", 1e-12);
-    controls.add("maxIter", 1000);
-
-    fvScalarMatrix& m = matrix_.ref();
-    scalarField& psi = psi_.primitiveFieldRef();
-    psi = cells;
-
-    // the lone ldu solve: fvMatrix would leave a record of each in the mesh
-    const scalarField diag(m.diag());
-    forAll(psi_.boundaryField(), patchi)
-    {
-        const labelUList& faceCells = mesh_.boundary()[patchi].faceCells();
-        const scalarField& coeffs = m.internalCoeffs()[patchi];
-        forAll(coeffs, k)
-        {
-            m.diag()[faceCells[k]] += coeffs[k];
-        }
-    }
-
-    autoPtr<lduMatrix::solver> solver
-    (
-        lduMatrix::solver::New
-        (
-            psi_.name(),
-            m,
-            m.boundaryCoeffs(),
-            m.internalCoeffs(),
-            psi_.boundaryField().scalarInterfaces(),
-            controls
-        )
-    );
-
-    // all ranks alike: a setting
-    for (label step = 0; step < steps_; ++step)
-    {
-        const scalarField source(V*psi);
-        solver->solve(psi, source);
-    }
-
-    m.diag() = diag;
-
-    const scalar lost = before - gSum(V*psi);
-    const scalar weight = gSum(V*mag(psi));
-    cells = weight > 0 ? scalarField(psi + lost/weight*mag(psi)) : psi;
+    spreadOut(cells);
 }
+
+
+void Foam::smoothingModels::diffusion::smooth(vectorField& cells) const
+{
+    spreadOut(cells);
+}
+
+
+// ************************************************************************* //

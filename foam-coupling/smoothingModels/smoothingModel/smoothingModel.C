@@ -69,12 +69,7 @@ void Foam::smoothingModel::smooth(volVectorField& field) const
     // all ranks alike: the model
     if (active())
     {
-        for (direction axis = 0; axis < 3; ++axis)
-        {
-            scalarField component(field.primitiveField().component(axis));
-            smooth(component);
-            field.primitiveFieldRef().replace(axis, component);
-        }
+        smooth(static_cast<vectorField&>(field.primitiveFieldRef()));
         field.correctBoundaryConditions();
     }
 }

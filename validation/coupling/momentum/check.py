@@ -6,8 +6,7 @@ import os
 
 import numpy as np
 
-from cases.lib.case import openfoam
-from validation.lib.checks import coupled, plots
+from validation.lib.checks import coupled, momenta, plots
 
 TITLE = "momentum of particles and fluid in a periodic box, both programs, each force model"
 
@@ -19,27 +18,13 @@ RUNS = {
     "modelB": ["model=B", "forces=addedMass", "density=500"],
     "lag": ["forces=pressureGradient+viscous", "answer_lag=7"],
     "first": ["forces=pressureGradient+addedMass", "overlap=no"],
+    "flux": ["forces=pressureGradient+viscous", "ddt_void_fraction=particleFlux"],
+    "centre": ["forces=pressureGradient", "void_fraction=centre"],
+    "kernel": ["forces=pressureGradient+addedMass", "smoothing=diffusion", "bandwidth=6e-3"],
 }
 SCENE = ["bottom=cyclic", "top=cyclic", "gravity=0", "speed_z=0.05", "speed_x=0.03", "across_x=6",
          "across_y=6", "across_z=8", "origin_z=0.012", "stagger=1", "dem_step=2e-5", "coupling_steps=10",
          "end=0.02", "frames=4"]
-
-
-def momentum(folder):
-    """(t, momentum of the particles, of the fluid, owed to it) at each output [N s]."""
-    particles = coupled.columns(os.path.join(folder, "DEM", "means.csv"))
-    cell = np.prod(BOX) / CELLS
-    rows = []
-    for t, path in openfoam.times(os.path.join(folder, "CFD")):
-        if not os.path.exists(os.path.join(path, "couplingImpulse")) or t == 0:
-            continue
-        n, U, owed = (openfoam.internal_field(os.path.join(path, f), CELLS)
-                      for f in ("voidfraction", "U", "couplingImpulse"))
-        i = int(np.argmin(np.abs(np.array(particles["t"]) - t)))
-        rows.append((t, np.array([particles[k][i] for k in ("px", "py", "pz")]),
-                     RHO * cell * (n.reshape(-1, 1) * U.reshape(-1, 3)).sum(axis=0),
-                     cell * owed.reshape(-1, 3).sum(axis=0)))
-    return rows
 
 
 def run(checks):
@@ -47,7 +32,7 @@ def run(checks):
     for name, settings in RUNS.items():
         words = [w for s in SCENE + settings for w in ("--set", s)]
         folder = coupled.finished("lattice-scene", os.path.join("momentum", name), "--no-pictures", *words)
-        rows = momentum(folder)
+        rows = momenta.momenta(folder, RHO, BOX, CELLS)
         density = next((float(s.split("=")[1]) for s in settings if s.startswith("density")), 2600.0)
         count = 36 * next((int(s.split("=")[1]) for s in settings if s.startswith("across_z")), 8)
         start = count * density * 4 / 3 * np.pi * 1e-9 * np.array([0.03, 0.0, 0.05])

@@ -32,7 +32,7 @@ endif()
 # v1912 -> 1912, 1912.200626-1 -> 1912
 string(REGEX MATCH "[0-9][0-9][0-9][0-9]" OpenFOAM_API "${OpenFOAM_VERSION}")
 if(NOT OpenFOAM_API STREQUAL 1912)
-  message(FATAL_ERROR "OpenFOAM ${OpenFOAM_VERSION} is ${_how}; v1912 is wanted: "
+  message(FATAL_ERROR "OpenFOAM ${OpenFOAM_VERSION} is ${_how}; it must be v1912: "
     "source v1912, or none to use Debian 12's package")
 endif()
 

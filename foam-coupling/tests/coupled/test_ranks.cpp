@@ -3,6 +3,7 @@
 // one: no collective call stands behind what a rank alone can see.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -107,6 +108,27 @@ TEST(PeriodicSides, CutUpOverRanksGiveTheSame) {
   }
 }
 
+namespace {
+
+/// The values of a written scalar field, of all ranks' folders, in ascending order.
+std::vector<double> ascending(const CoupledRun& run, int ranks, const std::string& file) {
+  std::vector<double> all;
+  for (int rank = 0; rank < ranks; ++rank) {
+    const auto folder = ranks > 1 ? run.path() / ("processor" + std::to_string(rank)) : run.path();
+    std::ifstream is(folder / file);
+    std::string word;
+    while (is >> word && word != "List<scalar>") continue;
+    std::size_t count = 0;
+    char opening;
+    is >> count >> opening;
+    for (double x; count > 0 && is >> x; --count) all.push_back(x);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+}  // namespace
+
 // decomposePar leaves the mean of both sides on periodic sides that it parts; a
 // state of one rank goes on from there on two as on one, its turbulence too
 TEST(PeriodicSides, AStateOfOneRankGoesOnOnTwo) {
@@ -130,6 +152,7 @@ TEST(PeriodicSides, AStateOfOneRankGoesOnOnTwo) {
     return run;
   };
   double v[3][3] = {};
+  std::vector<double> k[3];
   for (int ranks : {1, 2}) {
     auto run = start("periodic-state-" + std::to_string(ranks));
     const std::string state = (run.path() / "spheres").string();
@@ -141,8 +164,12 @@ TEST(PeriodicSides, AStateOfOneRankGoesOnOnTwo) {
     if (ranks > 1) run.mesh();
     ASSERT_EQ(run.run(), 0) << run.log();
     for (int c = 0; c < 3; ++c) v[ranks][c] = run.lastVelocity(c);
+    k[ranks] = ascending(run, ranks, "0.005/k");
+    ASSERT_EQ(k[ranks].size(), 512u);
   }
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(v[2][c] / v[1][c], 1, 1e-10);
+  EXPECT_GT(k[1].back() / k[1].front(), 1.01);
+  for (std::size_t i = 0; i < 512; ++i) EXPECT_NEAR(k[2][i] / k[1][i], 1, 1e-10);
 }
 
 TEST(SavedState, OnOneRankOnlyIsRefused) {

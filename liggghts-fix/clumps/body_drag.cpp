@@ -94,7 +94,7 @@ void DragStep::wrench(const double *ex, const double *ey, const double *ez, cons
                       double *fluidTorque) const
 {
   const double *axis[3] = {ex, ey, ez};
-  double motion[3], w[3], p[3], other[6], m[3][3], e[6], z[6];
+  double motion[3], w[3], p[3], other[6], m[3][3], e[6];
 
   // into body axes
   for (int k = 0; k < 3; k++) {
@@ -119,17 +119,7 @@ void DragStep::wrench(const double *ex, const double *ey, const double *ez, cons
   e[5] =
       m[0][1] - m[1][0] - (Kr[0] * motion[1] - Kr[1] * motion[0]) - (spin[4] * w[0] + spin[5] * w[1] + spin[2] * w[2]);
 
-  for (int i = 0; i < 6; i++) z[i] = e[i];
-  for (int j = 0; j < 6; j++) {
-    const double *column = response + 6 * j;
-    const double s = other[j] + e[j];
-    for (int i = 0; i < 6; i++) z[i] += column[i] * s;
-  }
-
-  for (int i = 0; i < 3; i++) {
-    fluidForce[i] = ex[i] * z[0] + ey[i] * z[1] + ez[i] * z[2];
-    fluidTorque[i] = ex[i] * z[3] + ey[i] * z[4] + ez[i] * z[5];
-  }
+  mean_wrench(response, e, other, ex, ey, ez, fluidForce, fluidTorque);
 }
 
 double relaxation_factor(double a)

@@ -42,6 +42,25 @@ struct BodyDrag : AddedInertia {
 /// H of DragStep::wrench, for the resistance R about the centre of mass.
 Matrix6d body_response(const Matrix6d &R, const Matrix6d &added, double mass, const double *inertia, double dt);
 
+/// Mean force and torque over a step, space axes, of a fluid whose wrench at the
+/// step's start is e, body axes ex, ey, ez; H, by columns, is its response to the
+/// motion that e and the other wrench make in the step.
+inline void mean_wrench(const double *H, const double *e, const double *other, const double *ex, const double *ey,
+                        const double *ez, double *fluidForce, double *fluidTorque)
+{
+  double z[6];
+  for (int i = 0; i < 6; i++) z[i] = e[i];
+  for (int j = 0; j < 6; j++) {
+    const double *column = H + 6 * j;
+    const double s = other[j] + e[j];
+    for (int i = 0; i < 6; i++) z[i] += column[i] * s;
+  }
+  for (int i = 0; i < 3; i++) {
+    fluidForce[i] = ex[i] * z[0] + ey[i] * z[1] + ez[i] * z[2];
+    fluidTorque[i] = ex[i] * z[3] + ey[i] * z[4] + ez[i] * z[5];
+  }
+}
+
 /// A BodyDrag made ready for many steps of one length; all of it in doubles, so
 /// that it can travel with a body. Body axes, but for the push.
 struct DragStep {

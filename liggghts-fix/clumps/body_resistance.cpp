@@ -65,7 +65,7 @@ void ResistanceStep::wrench(const Matrix6d &R, const double *ex, const double *e
 {
   const double *axis[3] = {ex, ey, ez};
   const double slip[3] = {u[0] - v[0], u[1] - v[1], u[2] - v[2]};
-  double y[6], m[3][3], e[6], other[6], z[6];
+  double y[6], m[3][3], e[6], other[6];
 
   // into body axes
   for (int k = 0; k < 3; k++) {
@@ -82,23 +82,13 @@ void ResistanceStep::wrench(const Matrix6d &R, const double *ex, const double *e
   e[4] = m[2][0] - m[0][2];
   e[5] = m[0][1] - m[1][0];
 
-  // the fluid's wrench at the start of the step, then its mean
+  // the fluid's wrench at the start of the step
   for (int j = 0; j < 6; j++) {
     const double *column = R.data() + 6 * j;
     const double s = scale * y[j];
     for (int i = 0; i < 6; i++) e[i] += column[i] * s;
   }
-  for (int i = 0; i < 6; i++) z[i] = e[i];
-  for (int j = 0; j < 6; j++) {
-    const double *column = response + 6 * j;
-    const double s = other[j] + e[j];
-    for (int i = 0; i < 6; i++) z[i] += column[i] * s;
-  }
-
-  for (int i = 0; i < 3; i++) {
-    fluidForce[i] = ex[i] * z[0] + ey[i] * z[1] + ez[i] * z[2];
-    fluidTorque[i] = ex[i] * z[3] + ey[i] * z[4] + ez[i] * z[5];
-  }
+  mean_wrench(response, e, other, ex, ey, ez, fluidForce, fluidTorque);
 }
 
 }  // namespace LAMMPS_NS

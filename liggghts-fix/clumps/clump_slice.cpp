@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clumps/hidden_arcs.h"
+
 namespace clay {
 namespace {
 
@@ -92,7 +94,7 @@ Slice cut(const Clump& clump, double z)
   }
 
   std::vector<HalfPlane> planes;
-  std::vector<std::pair<double, double>> hidden;
+  Arcs hidden;
   for (std::size_t i = 0; i < discs.size(); ++i) {
     const Disc& d = discs[i];
     planes.clear();
@@ -117,17 +119,7 @@ Slice cut(const Clump& clump, double z)
       }
       if (mid >= d.r) continue;
       planes.push_back({dx, dy, dx * d.x + dy * d.y + mid * dist});
-      const double at = std::atan2(dy, dx), open = std::acos(mid / d.r);
-      double t0 = at - open, t1 = at + open;
-      if (t0 < -pi) {
-        hidden.push_back({t0 + 2 * pi, pi});
-        t0 = -pi;
-      }
-      if (t1 > pi) {
-        hidden.push_back({-pi, t1 - 2 * pi});
-        t1 = pi;
-      }
-      hidden.push_back({t0, t1});
+      hide(hidden, std::atan2(dy, dx), std::acos(mid / d.r));
     }
     if (covered) continue;
 

@@ -38,8 +38,7 @@ enum { MANY = 32, SELDOM = 100 };
 /* ---------------------------------------------------------------------- */
 
 FixWallGranLean::FixWallGranLean(LAMMPS *lmp, int narg, char **arg) :
-  FixWallGran(lmp, narg, arg), kn_(NULL), kt_(NULL), gamman_(NULL), gammat_(NULL), friction_(NULL), modulus_(NULL),
-  restitution_log_(NULL), speed_(0.0), listed_(false), tidied_(0), looked_(0), touched_(0)
+  FixWallGran(lmp, narg, arg), listed_(false), tidied_(0), looked_(0), touched_(0)
 {
   vector_flag = 1;
   size_vector = 2;
@@ -92,19 +91,8 @@ void FixWallGranLean::read_shape(int narg, char **arg)
 void FixWallGranLean::init()
 {
   FixWallGran::init();
-  const char *who = "fix wall/gran/lean";
-  force->registry.connect("coeffFrict", friction_, who);
+  coefficients_.connect(force->registry, model_, "fix wall/gran/lean");
   listed_ = false;
-  if (model_.modulus()) {
-    force->registry.connect("Yeff", modulus_, who);
-    force->registry.connect("charVel", speed_, who);
-    force->registry.connect("coeffRestLog", restitution_log_, who);
-    return;
-  }
-  force->registry.connect("k_n", kn_, who);
-  force->registry.connect("k_t", kt_, who);
-  force->registry.connect(model_.absoluteDamping ? "gamman_abs" : "gamman", gamman_, who);
-  force->registry.connect(model_.absoluteDamping ? "gammat_abs" : "gammat", gammat_, who);
 }
 
 /* ----------------------------------------------------------------------
@@ -123,22 +111,7 @@ bool FixWallGranLean::lean_step() const
 
 clay::ContactLaw FixWallGranLean::law(int i) const
 {
-  const int a = atom->type[i], b = atom_type_wall_;
-  clay::ContactLaw law;
-  if (model_.modulus()) {
-    law = clay::hookeLaw(radius_[i], rmass_[i], modulus_[a][b], speed_, restitution_log_[a][b]);
-    law.kn /= force->nktv2p;
-    law.kt = model_.softer ? 0.285714286 * law.kn : law.kn;
-  } else {
-    const double moving = model_.absoluteDamping ? 1.0 : rmass_[i];
-    law.kn = kn_[a][b] / force->nktv2p;
-    law.kt = kt_[a][b] / force->nktv2p;
-    law.gamman = moving * gamman_[a][b];
-    law.gammat = moving * gammat_[a][b];
-  }
-  if (!model_.tangentialDamping) law.gammat = 0.0;
-  law.friction = friction_[a][b];
-  return law;
+  return coefficients_.law(model_, atom->type[i], atom_type_wall_, radius_[i], rmass_[i], force->nktv2p);
 }
 
 /* ---------------------------------------------------------------------- */

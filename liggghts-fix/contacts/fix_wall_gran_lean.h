@@ -18,6 +18,7 @@ FixStyle(wall/gran/lean,FixWallGranLean)
 #include <vector>
 
 #include "contacts/contact_kernel.h"
+#include "contacts/lean_coefficients.h"
 #include "contacts/lean_model.h"
 #include "fix_wall_gran.h"
 
@@ -51,8 +52,7 @@ class FixWallGranLean : public FixWallGran {
   clay::ContactLaw law(int i) const;
 
   clay::LeanModel model_;
-  double **kn_, **kt_, **gamman_, **gammat_, **friction_;
-  double **modulus_, **restitution_log_, speed_;  // of model hooke
+  LeanCoefficients coefficients_;
 
   clay::WallShape shape_;
   std::vector<Near> near_;    // wall/gran's list of spheres near the wall

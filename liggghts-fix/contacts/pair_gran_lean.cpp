@@ -26,8 +26,7 @@ using namespace LAMMPS_NS;
 /* ---------------------------------------------------------------------- */
 
 PairGranLean::PairGranLean(LAMMPS *lmp) :
-  PairGranProxy(lmp), flags_read_(false), kn_(NULL), kt_(NULL), gamman_(NULL), gammat_(NULL), friction_(NULL),
-  modulus_(NULL), restitution_log_(NULL), speed_(0.0), margin_(0.0), sought_(false), built_(-1), inum_(0), searches_(0)
+  PairGranProxy(lmp), flags_read_(false), margin_(0.0), sought_(false), built_(-1), inum_(0), searches_(0)
 {
 }
 
@@ -106,18 +105,7 @@ void PairGranLean::make_history()
 void PairGranLean::init_granular()
 {
   PairGranProxy::init_granular();
-  const char *who = "pair gran/lean";
-  force->registry.connect("coeffFrict", friction_, who);
-  if (model_.modulus()) {
-    force->registry.connect("Yeff", modulus_, who);
-    force->registry.connect("charVel", speed_, who);
-    force->registry.connect("coeffRestLog", restitution_log_, who);
-    return;
-  }
-  force->registry.connect("k_n", kn_, who);
-  force->registry.connect("k_t", kt_, who);
-  force->registry.connect(model_.absoluteDamping ? "gamman_abs" : "gamman", gamman_, who);
-  force->registry.connect(model_.absoluteDamping ? "gammat_abs" : "gammat", gammat_, who);
+  coefficients_.connect(force->registry, model_, "pair gran/lean");
 }
 
 /* ---------------------------------------------------------------------- */

@@ -17,6 +17,7 @@ PairStyle(gran/lean,PairGranLean)
 #include <vector>
 
 #include "contacts/contact_kernel.h"
+#include "contacts/lean_coefficients.h"
 #include "contacts/lean_model.h"
 #include "pair_gran_proxy.h"
 
@@ -49,9 +50,8 @@ class PairGranLean : public PairGranProxy {
   clay::ContactLaw law(int i, int j) const;
 
   clay::LeanModel model_;
+  LeanCoefficients coefficients_;
   bool flags_read_;  // somebody reads from the lists which pairs touch
-  double **kn_, **kt_, **gamman_, **gammat_, **friction_;
-  double **modulus_, **restitution_log_, speed_;  // of model hooke
 
   clay::ContactPairs pairs_;
   std::vector<double *> kept_;                            // where gran keeps each pair's displacement

@@ -49,23 +49,8 @@ clay::ContactLaw PairGranLean::law(int i, int j) const
   if (atom->mask[i] & freeze_group_bit()) moving = mj;
   if (atom->mask[j] & freeze_group_bit()) moving = mi;
 
-  clay::ContactLaw law;
-  law.friction = friction_[a][b];
-  if (model_.modulus()) {
-    const double ri = atom->radius[i], rj = atom->radius[j];
-    law = clay::hookeLaw(ri * rj / (ri + rj), moving, modulus_[a][b], speed_, restitution_log_[a][b]);
-    law.friction = friction_[a][b];
-    law.kn /= force->nktv2p;
-    law.kt = model_.softer ? 0.285714286 * law.kn : law.kn;
-    if (!model_.tangentialDamping) law.gammat = 0.0;
-    return law;
-  }
-  if (model_.absoluteDamping) moving = 1.0;
-  law.kn = kn_[a][b] / force->nktv2p;
-  law.kt = kt_[a][b] / force->nktv2p;
-  law.gamman = moving * gamman_[a][b];
-  law.gammat = model_.tangentialDamping ? moving * gammat_[a][b] : 0.0;
-  return law;
+  const double ri = atom->radius[i], rj = atom->radius[j];
+  return coefficients_.law(model_, a, b, ri * rj / (ri + rj), moving, force->nktv2p);
 }
 
 /* ----------------------------------------------------------------------

@@ -11,6 +11,17 @@ using LAMMPS_NS::sphere_drag;
 using LAMMPS_NS::sphere_force;
 using Row = FluidRow;
 
+// a component of what the fluid gives a sphere, and its impulse since the step before
+static inline void book(double *s, int k, double given, double dt, bool first, double *all)
+{
+  if (!first) {
+    const double impulse = 0.5 * dt * (s[Row::FORCE + k] + given);
+    s[Row::IMPULSE + k] += impulse;
+    all[k] += impulse;
+  }
+  s[Row::FORCE + k] = given;
+}
+
 /* ---------------------------------------------------------------------- */
 
 void push_spheres(const std::vector<int> &list, double *const *fluid, const SphereArrays &spheres,
@@ -26,13 +37,7 @@ void push_spheres(const std::vector<int> &list, double *const *fluid, const Sphe
     for (int k = 0; k < 3; k++) {
       const double load = s[Row::LOAD + k] + kick[k];
       const double force = load + (drag * (s[Row::VELOCITY + k] - v[i][k]) + rest * (f[i][k] + load));
-      const double given = force - s[Row::HYDRO + k];
-      if (!first) {
-        const double impulse = 0.5 * dt * (s[Row::FORCE + k] + given);
-        s[Row::IMPULSE + k] += impulse;
-        all[k] += impulse;
-      }
-      s[Row::FORCE + k] = given;
+      book(s, k, force - s[Row::HYDRO + k], dt, first, all);
       f[i][k] += force;
     }
   }
@@ -48,13 +53,7 @@ void push_held_spheres(const std::vector<int> &list, double *const *fluid, const
     if (random) random->force(i, s[Row::DRAG], kick);
     for (int k = 0; k < 3; k++) {
       const double force = s[Row::LOAD + k] + kick[k] + s[Row::DRAG] * (s[Row::VELOCITY + k] - spheres.v[i][k]);
-      const double given = force - s[Row::HYDRO + k];
-      if (!first) {
-        const double impulse = 0.5 * dt * (s[Row::FORCE + k] + given);
-        s[Row::IMPULSE + k] += impulse;
-        all[k] += impulse;
-      }
-      s[Row::FORCE + k] = given;
+      book(s, k, force - s[Row::HYDRO + k], dt, first, all);
       if (!(groups[i] & mute)) spheres.f[i][k] += force;
     }
   }
@@ -71,13 +70,7 @@ void push_inertial_spheres(const std::vector<int> &list, double *const *fluid, d
     for (int k = 0; k < 3; k++) {
       const double force = sphere_force(s[Row::DRAG], s[Row::VELOCITY + k], v[k], s[Row::LOAD + k] + kick[k], f[k],
                                         spheres.mass[i], inertia[i][InertiaRow::ADDED], dt);
-      const double given = force - s[Row::HYDRO + k];
-      if (!first) {
-        const double impulse = 0.5 * dt * (s[Row::FORCE + k] + given);
-        s[Row::IMPULSE + k] += impulse;
-        all[k] += impulse;
-      }
-      s[Row::FORCE + k] = given;
+      book(s, k, force - s[Row::HYDRO + k], dt, first, all);
       f[k] += force;
     }
     if (inertia[i][InertiaRow::TURN] > 0.) turn_sphere(i, inertia, spheres, random, dt);

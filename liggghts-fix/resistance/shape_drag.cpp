@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "clumps/clump_slice.h"
+#include "clumps/hidden_arcs.h"
 
 namespace clay {
 namespace {
@@ -28,7 +29,7 @@ struct Arc {
 void openArcs(const std::vector<Disc>& discs, int i, std::vector<Arc>& arcs)
 {
   const Disc& d = discs[i];
-  std::vector<std::pair<double, double>> hidden;
+  Arcs hidden;
   for (int j = 0; j < int(discs.size()); ++j) {
     if (j == i) continue;
     const Disc& e = discs[j];
@@ -36,17 +37,7 @@ void openArcs(const std::vector<Disc>& discs, int i, std::vector<Arc>& arcs)
     if (dist >= d.r + e.r || dist + e.r <= d.r) continue;
     if (dist + d.r <= e.r) return;
     const double mid = 0.5 * (d.r * d.r - e.r * e.r + dist * dist) / dist;
-    const double at = std::atan2(dy, dx), open = std::acos(mid / d.r);
-    double t0 = at - open, t1 = at + open;
-    if (t0 < -pi) {
-      hidden.push_back({t0 + 2 * pi, pi});
-      t0 = -pi;
-    }
-    if (t1 > pi) {
-      hidden.push_back({-pi, t1 - 2 * pi});
-      t1 = pi;
-    }
-    hidden.push_back({t0, t1});
+    hide(hidden, std::atan2(dy, dx), std::acos(mid / d.r));
   }
   std::sort(hidden.begin(), hidden.end());
   double at = -pi;

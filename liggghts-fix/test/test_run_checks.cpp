@@ -48,6 +48,19 @@ std::string resting()
       "timestep 2e-6\nthermo 10000\nrun 12000\n";
 }
 
+// the longest stable step of the plate that rests on the floor with seven spheres
+double exact_limit()
+{
+  const auto clump = clay::illitePlate({1e-3, 2e-3, 1e-3, 2});
+  const auto g = clay::sumOfSpheres(clump);
+  const double m = 2600 * g.volume;
+  std::vector<clay::BodyContact> floor;
+  for (int i = 0; i < 7; i++)
+    floor.push_back(
+        {clump[i].x - Eigen::Vector3d(0, 0, 1e-3), -Eigen::Vector3d::UnitZ(), {k, k, gamma_n * m, gamma_n * m}, true});
+  return clay::stableStep(m, 2600 * g.inertia, floor);
+}
+
 double kinetic(Host &host)
 {
   double e = 0;
@@ -104,14 +117,7 @@ TEST(RunChecks, limitsOfAPlateAtRest)
   EXPECT_LT(worst, now);
 
   // seven contacts with the floor, exactly
-  const auto clump = clay::illitePlate({1e-3, 2e-3, 1e-3, 2});
-  const auto g = clay::sumOfSpheres(clump);
-  const double m = 2600 * g.volume;
-  std::vector<clay::BodyContact> floor;
-  for (int i = 0; i < 7; i++)
-    floor.push_back(
-        {clump[i].x - Eigen::Vector3d(0, 0, 1e-3), -Eigen::Vector3d::UnitZ(), {k, k, gamma_n * m, gamma_n * m}, true});
-  const double exact = clay::stableStep(m, 2600 * g.inertia, floor);
+  const double exact = exact_limit();
   EXPECT_NEAR(now, exact, 2e-3 * exact);
 }
 
@@ -189,14 +195,7 @@ TEST(RunChecksParallel, memoryGoesByOwnBodies)
 
 TEST(RunChecks, theHostBlowsUpWhereTheLimitSays)
 {
-  const auto clump = clay::illitePlate({1e-3, 2e-3, 1e-3, 2});
-  const auto g = clay::sumOfSpheres(clump);
-  const double m = 2600 * g.volume;
-  std::vector<clay::BodyContact> floor;
-  for (int i = 0; i < 7; i++)
-    floor.push_back(
-        {clump[i].x - Eigen::Vector3d(0, 0, 1e-3), -Eigen::Vector3d::UnitZ(), {k, k, gamma_n * m, gamma_n * m}, true});
-  const double limit = clay::stableStep(m, 2600 * g.inertia, floor);
+  const double limit = exact_limit();
   for (double factor : {0.85, 1.15}) {
     Host host;
     std::ostringstream s;

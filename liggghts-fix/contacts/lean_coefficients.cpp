@@ -1,0 +1,45 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+#include "contacts/lean_coefficients.h"
+
+#include "property_registry.h"
+
+using namespace LAMMPS_NS;
+
+/* ---------------------------------------------------------------------- */
+
+void LeanCoefficients::connect(PropertyRegistry &registry, const clay::LeanModel &model, const char *who)
+{
+  registry.connect("coeffFrict", friction_, who);
+  if (model.modulus()) {
+    registry.connect("Yeff", modulus_, who);
+    registry.connect("charVel", speed_, who);
+    registry.connect("coeffRestLog", restitution_log_, who);
+    return;
+  }
+  registry.connect("k_n", kn_, who);
+  registry.connect("k_t", kt_, who);
+  registry.connect(model.absoluteDamping ? "gamman_abs" : "gamman", gamman_, who);
+  registry.connect(model.absoluteDamping ? "gammat_abs" : "gammat", gammat_, who);
+}
+
+/* ---------------------------------------------------------------------- */
+
+clay::ContactLaw LeanCoefficients::law(const clay::LeanModel &model, int a, int b, double radius, double mass,
+                                       double nktv2p) const
+{
+  clay::ContactLaw law;
+  if (model.modulus()) {
+    law = clay::hookeLaw(radius, mass, modulus_[a][b], speed_, restitution_log_[a][b]);
+    law.kn /= nktv2p;
+    law.kt = model.softer ? 0.285714286 * law.kn : law.kn;
+  } else {
+    const double moving = model.absoluteDamping ? 1.0 : mass;
+    law.kn = kn_[a][b] / nktv2p;
+    law.kt = kt_[a][b] / nktv2p;
+    law.gamman = moving * gamman_[a][b];
+    law.gammat = moving * gammat_[a][b];
+  }
+  if (!model.tangentialDamping) law.gammat = 0.0;
+  law.friction = friction_[a][b];
+  return law;
+}

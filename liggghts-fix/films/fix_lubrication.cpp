@@ -162,7 +162,7 @@ void FixLubrication::seek_pairs()
   if (!pairs_on_) return;
   std::vector<double> reach(nall_);
   for (int i = 0; i < nall_; i++) reach[i] = (1. + 0.5 * law_.outer) * atom->radius[i] + 0.5 * neighbor->skin;
-  clay::near_pairs(atom->x, &reach[0], atom->nlocal, nall_, pairs_);
+  clay::near_pairs(atom->x, reach.data(), atom->nlocal, nall_, pairs_);
 
   size_t kept = 0;
   for (size_t p = 0; p < pairs_.size(); p++) {

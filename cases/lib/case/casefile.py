@@ -227,6 +227,8 @@ class Case:
             "curve_steps": _every(steps, steps / v["curve_rows"]),
             "dem_ranks": dem_ranks,
             "cfd_ranks": cfd_ranks,
+            "neighbour_skin": min(1e-3, 2 * v["sphere_radius"]),
+            "prime_seed": prime_seed(int(v["seed"])),
         }
 
     def table(self):
@@ -236,6 +238,14 @@ class Case:
             unit = p.get("unit", "|".join(p.get("choices", [])))
             rows.append(f"  {key:<16}{text(self.values[key]):<14}{unit:<12}{p['is']}")
         return "\n".join(rows)
+
+
+def prime_seed(seed):
+    """A prime above 10000, as LIGGGHTS's random numbers want it: another one for each small seed."""
+    number = 10007 + 2 * (37 * seed % 1_000_000_000)
+    while any(number % k == 0 for k in range(3, math.isqrt(number) + 1, 2)):
+        number += 2
+    return number
 
 
 def text(value):

@@ -223,5 +223,22 @@ class ColumnTest(unittest.TestCase):
             self.resolved("clump-half", fill_height=0.2)
 
 
+class DeriveTest(unittest.TestCase):
+
+    def test_seeds_are_primes_of_their_own(self):
+        found = [casefile.prime_seed(k) for k in (*range(1, 200), 2147483647)]
+        for p in found:
+            self.assertTrue(10000 < p < 2**31 and all(p % k for k in range(2, math.isqrt(p) + 1)), p)
+        self.assertEqual(len(set(found)), len(found))
+
+    def test_neighbours_are_sought_as_far_as_the_spheres_are_wide(self):
+        case = Case("lattice-scene")
+        for radius, skin in ((5e-6, 1e-5), (1e-3, 1e-3)):
+            case.set("sphere_radius", repr(radius))
+            self.assertAlmostEqual(case.derive(1, 1)["neighbour_skin"], skin, delta=1e-18)
+        with open(os.path.join(casefile.TOP, "cases", "common", "settings.liggghts"), encoding="utf-8") as f:
+            self.assertIn("${neighbour_skin} bin", f.read())
+
+
 if __name__ == "__main__":
     unittest.main()

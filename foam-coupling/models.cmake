@@ -80,6 +80,8 @@ macro(clayfoam_model_tests)
       coupling/momentumLedgerTest
       coupling/voidFractionHistoryTest
       coupling/particleForcesTest
+      coupling/particleTurnoverTest
+      coupling/meshPeriodTest
       coupling/viscosityLawTest
       coupling/particleResponseTest)
     get_filename_component(name ${test} NAME)

@@ -10,6 +10,8 @@
 #include "primitiveEntry.H"
 #include "savedState.H"
 
+#include <map>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -85,6 +87,25 @@ static const wordList controlEntries
     "adjustTimeStep", "maxCo", "maxDeltaT", "functions", "libs"
 });
 
+//- What each model of viscosity reads of its coefficients
+static const std::map<word, wordList> viscosityCoeffs
+({
+    {"Newtonian", {"nu"}},
+    {"HerschelBulkley", {"nu0", "tau0", "k", "n"}},
+    {"powerLaw", {"k", "n", "nuMin", "nuMax"}},
+    {"CrossPowerLaw", {"nu0", "nuInf", "m", "n"}},
+    {"BirdCarreau", {"nu0", "nuInf", "k", "n", "a"}},
+    {"Casson", {"m", "tau0", "nuMin", "nuMax"}},
+    {"strainRateFunction", {"function"}}
+});
+
+//- Properties that other solvers read; other entries may be a user's own
+static const wordList fluidProperties
+({
+    "nu", "mu", "sigma", "phases", "beta", "TRef", "Pr", "Prt", "DT", "Cp",
+    "Cv", "kappa", "lambda", "pSat"
+});
+
 //- Files that OpenFOAM or this program reads from constant/
 static const wordList constantFiles
 ({
@@ -92,6 +113,69 @@ static const wordList constantFiles
     "fvOptions", "MRFProperties", "SRFProperties", "dynamicMeshDict",
     "porosityProperties", "cfg"
 });
+
+//- Says what of the fluid's properties nobody reads
+static void sayUnreadTransport
+(
+    const dictionary& transport,
+    couplingStatistics& stats
+)
+{
+    const word model
+    (
+        transport.lookupOrDefault<word>("transportModel", "Newtonian")
+    );
+    const word coeffs(model + "Coeffs");
+    wordList own(viscosityCoeffs.at(model));
+    const bool apart = transport.isDict(coeffs);
+    // without a dictionary of their own coefficients stand beside the rest
+    wordList known({"FoamFile", "transportModel", "rho", coeffs});
+    if (!apart)
+    {
+        known.append(own);
+    }
+    const word file("constant/transportProperties: ");
+
+    for (const entry& e : transport)
+    {
+        const word key(e.keyword());
+        if (known.found(key))
+        {
+            continue;
+        }
+        if (e.isDict() && key.endsWith("Coeffs"))
+        {
+            stats.warn
+            (
+                file + key + " is not read: transportModel is " + model
+            );
+        }
+        else if (fluidProperties.found(key))
+        {
+            stats.warn
+            (
+                file + key + " is not read"
+              + (apart ? "; " + coeffs + " is" : std::string())
+            );
+        }
+    }
+    if (!apart)
+    {
+        return;
+    }
+    for (const entry& e : transport.subDict(coeffs))
+    {
+        const word key(e.keyword());
+        if (!own.found(key))
+        {
+            stats.warn
+            (
+                file + coeffs + ": " + key + " is not read; the nearest entry"
+                " that is: " + nearestWord(key, own)
+            );
+        }
+    }
+}
 
 } // End namespace Foam
 
@@ -252,23 +336,62 @@ void Foam::sayUnread
         }
     }
 
-    const word viscosity
-    (
-        transport.lookupOrDefault<word>("transportModel", "Newtonian")
-    );
-    for (const entry& e : transport)
+    sayUnreadTransport(transport, stats);
+
+    const dictionary flow(constantFile(mesh, "turbulenceProperties"));
+    const word kind(flow.lookupOrDefault<word>("simulationType", "laminar"));
+    for (const entry& e : flow)
     {
-        const word& key = e.keyword();
+        const word key(e.keyword());
+        if (e.isDict() && key != "FoamFile" && key != kind)
+        {
+            stats.warn
+            (
+                "constant/turbulenceProperties: " + key + " is not read:"
+                " simulationType is " + kind
+            );
+        }
+    }
+
+    // what a step of given length has no use for
+    const bool adjusts =
+        runTime.controlDict().lookupOrDefault<Switch>("adjustTimeStep", true);
+    for (const word key : {"maxCo", "maxDeltaT"})
+    {
+        if (!adjusts && runTime.controlDict().found(key))
+        {
+            stats.warn
+            (
+                "system/controlDict: " + key + " is not read: adjustTimeStep"
+                " is no"
+            );
+        }
+    }
+    const word stopAt
+    (
+        runTime.controlDict().lookupOrDefault<word>("stopAt", "endTime")
+    );
+    if (stopAt != "endTime")
+    {
+        stats.warn
+        (
+            "system/controlDict: stopAt " + stopAt + " is not followed: the"
+            " DEM half says when the run ends"
+        );
+    }
+
+    // files that belong into the other folder
+    for (const word& file : constantFiles)
+    {
         if
         (
-            e.isDict() && key != "FoamFile" && key.endsWith("Coeffs")
-         && key != viscosity + "Coeffs"
+            file != "fvOptions" && file != "cfg"
+         && isFile(runTime.globalPath()/runTime.system()/file)
         )
         {
             stats.warn
             (
-                "constant/transportProperties: " + key + " is not read:"
-                " transportModel is " + viscosity
+                "system/" + file + " is not read, constant/" + file + " is"
             );
         }
     }

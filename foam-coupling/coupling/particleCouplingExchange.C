@@ -192,7 +192,13 @@ bool Foam::particleCoupling::next()
         }
         const bool changed = history_.begin
         (
-            ddtType_, particles_, smoothing_(), solidVolume_, interval_, jump
+            ddtType_,
+            particles_,
+            smoothing_(),
+            solidVolume_,
+            interval_,
+            jump,
+            properties_.get<scalar>("voidFractionMin")
         );
         if (changed)
         {

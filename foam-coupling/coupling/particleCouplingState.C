@@ -94,6 +94,7 @@ void Foam::particleCoupling::map()
     {
         // n and the particles' volume are those of the exchange before
         ++stats_.keptMaps;
+        turnover_.rest();
         return;
     }
     p.locate(mesh_);

@@ -6,7 +6,25 @@
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
 
-#include <cmath>
+#include <cstdint>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- A number from 0 to 1 for a tag, by splitmix64's mixing: sums of it tell
+//  sets of tags apart that have the same number and sum
+static scalar scattered(const label tag)
+{
+    std::uint64_t x = std::uint64_t(tag)*0x9E3779B97F4A7C15u;
+    x = (x ^ (x >> 30))*0xBF58476D1CE4E5B9u;
+    x = (x ^ (x >> 27))*0x94D049BB133111EBu;
+    return scalar((x ^ (x >> 31)) >> 11)/scalar(std::uint64_t(1) << 53);
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -69,9 +87,7 @@ void Foam::particleTurnover::compare
     {
         if (p.owned[i])
         {
-            // the golden section scatters the tags
-            const scalar scattered = 0.6180339887498949*p.tag[i];
-            signature += vector(1, p.tag[i], scattered - std::floor(scattered));
+            signature += vector(1, p.tag[i], scattered(p.tag[i]));
         }
     }
     reduce(signature, sumOp<vector>());

@@ -113,7 +113,8 @@ bool Foam::voidFractionHistory::begin
     const smoothingModel& smoothing,
     const scalar solidVolume,
     const scalar T,
-    const scalarField& jump
+    const scalarField& jump,
+    const scalar nMin
 )
 {
     const scalarField& mapped = mapped_.primitiveField();
@@ -128,8 +129,10 @@ bool Foam::voidFractionHistory::begin
     }
     else if (jump.size())
     {
-        // only what moved drives the fluid
-        start_ = max(min(end_ + jump, scalar(1)), min(end_, mapped));
+        // only what moved drives the fluid, also out of the cells that others
+        // have come to; no cell has less than nMin unless it had before
+        start_ =
+            max(min(end_ + jump, scalar(1)), min(min(end_, mapped), nMin));
     }
     else
     {

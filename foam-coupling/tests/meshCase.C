@@ -5,7 +5,6 @@
 #include "OSspecific.H"
 #include "calculatedFvPatchFields.H"
 #include "processorPolyPatch.H"
-#include "wallPolyPatch.H"
 
 #include <algorithm>
 #include <cstdlib>
@@ -65,7 +64,11 @@ void write(const fileName& path, const std::string& object, const char* text)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::test::meshCase::meshCase(const polyhedra& all)
+Foam::test::meshCase::meshCase
+(
+    const polyhedra& all,
+    const std::vector<std::string>& kinds
+)
 {
     std::string name
     (
@@ -120,7 +123,24 @@ Foam::test::meshCase::meshCase(const polyhedra& all)
         label own, nei;
         face shape;
     };
-    std::vector<row> inner, wall;
+    std::vector<row> inner;
+    std::vector<std::vector<row>> outer(kinds.empty() ? 1 : kinds.size());
+    const boundBox bounds(all.points, false);
+    const auto sideOf = [&](const face& f)
+    {
+        const point x(f.centre(all.points));
+        label side = 0;
+        for (label k = 0; k < label(kinds.size()); ++k)
+        {
+            const scalar end =
+                k % 2 ? bounds.max()[k/2] : bounds.min()[k/2];
+            if (mag(x[k/2] - end) < 1e-9*bounds.mag())
+            {
+                side = k;
+            }
+        }
+        return side;
+    };
     std::map<label, std::vector<row>> toRank;
 
     for (const sides& s : allSides(all))
@@ -137,7 +157,7 @@ Foam::test::meshCase::meshCase(const polyhedra& all)
         }
         else if (a >= 0 && s.second < 0)
         {
-            wall.push_back({a, -1, s.shape});
+            outer[sideOf(s.shape)].push_back({a, -1, s.shape});
         }
         else if (a >= 0)
         {
@@ -170,7 +190,10 @@ Foam::test::meshCase::meshCase(const polyhedra& all)
         }
     };
     use(inner);
-    use(wall);
+    for (const auto& rows : outer)
+    {
+        use(rows);
+    }
     for (const auto& entry : toRank)
     {
         use(entry.second);
@@ -204,7 +227,10 @@ Foam::test::meshCase::meshCase(const polyhedra& all)
         }
     };
     put(inner);
-    put(wall);
+    for (const auto& rows : outer)
+    {
+        put(rows);
+    }
     for (const auto& entry : toRank)
     {
         put(entry.second);
@@ -227,14 +253,27 @@ Foam::test::meshCase::meshCase(const polyhedra& all)
         )
     );
 
-    List<polyPatch*> patches(1 + toRank.size());
+    List<polyPatch*> patches(outer.size() + toRank.size());
     label start = inner.size();
-    patches[0] = new wallPolyPatch
-    (
-        "walls", wall.size(), start, 0, mesh_->boundaryMesh(), "wall"
-    );
-    start += wall.size();
-    label index = 1;
+    label index = 0;
+    for (const auto& rows : outer)
+    {
+        dictionary patch;
+        patch.add("type", word(kinds.empty() ? "wall" : kinds[index]));
+        patch.add("nFaces", label(rows.size()));
+        patch.add("startFace", start);
+        // the side across
+        patch.add("neighbourPatch", word("side" + std::to_string(index ^ 1)));
+        patches[index] = polyPatch::New
+        (
+            kinds.empty() ? "walls" : "side" + std::to_string(index),
+            patch,
+            index,
+            mesh_->boundaryMesh()
+        ).ptr();
+        start += rows.size();
+        ++index;
+    }
     for (const auto& entry : toRank)
     {
         patches[index] = new processorPolyPatch

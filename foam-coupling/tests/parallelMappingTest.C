@@ -9,6 +9,7 @@ Description
 #include "handOver.H"
 #include "keptMapping.H"
 #include "mathematicalConstants.H"
+#include "particleTurnover.H"
 #include "selfDisturbanceModel.H"
 #include "smoothingModel.H"
 #include "testMesh.H"
@@ -371,6 +372,47 @@ TEST(parallelMapping, numbersAreHandedOver)
             EXPECT_TRUE(wanted.found(one.first));
         }
     }
+}
+
+
+// one that goes from rank to rank has neither come nor gone
+TEST(parallelMapping, turnover)
+{
+    const label ranks = Pstream::nProcs(), me = Pstream::myProcNo();
+    particleTurnover turnover;
+    const auto see = [&](const labelList& tags, const label first)
+    {
+        dispersedParticles p;
+        DynamicList<label> mine;
+        for (const label tag : tags)
+        {
+            if ((tag + first) % ranks == me)
+            {
+                mine.append(tag);
+            }
+        }
+        p.setSize(mine.size());
+        p.clearRows();
+        forAll(mine, i)
+        {
+            p.tag[i] = mine[i];
+            p.volume[i] = 1;
+            p.owned[i] = true;
+            p.append(0, 1);
+            p.endRow(i);
+        }
+        turnover.compare(p, 1);
+    };
+    see({1, 2, 3, 4}, 0);
+    see({1, 2, 3, 4}, 1);
+    EXPECT_FALSE(turnover.any());
+    see({1, 2, 3, 9}, 2);
+    // all ranks know that some have
+    ASSERT_TRUE(turnover.any());
+    EXPECT_EQ(gSum(turnover.came()), 1);
+    EXPECT_EQ(gSum(turnover.gone()), 1);
+    EXPECT_EQ(turnover.came()[0], (9 + 2) % ranks == me ? 1 : 0);
+    EXPECT_EQ(turnover.gone()[0], (4 + 1) % ranks == me ? 1 : 0);
 }
 
 

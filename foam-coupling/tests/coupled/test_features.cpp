@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numeric>
 
 #include "coupledRun.h"
 
@@ -211,29 +212,71 @@ TEST(Turbulence, SmagorinskyInAShearFlow) {
   }
 }
 
-// Ergun's law over the cells of a bed that lies on the inlet
-TEST(FixedFluxPressure, CarriesTheForceOfABedToTheInlet) {
+namespace {
+
+/// Drop of p [m2/s2] over each row of cells of a bed that lies on the inlet, by Ergun's law.
+std::vector<double> ergunDrops(const HeldBed& bed, const CoupledRun& run) {
+  const auto n = run.scalars("voidfraction");
+  std::vector<double> drops;
+  for (std::size_t row = 0; row < 12; ++row) {
+    const double e = n[4 * row], s = 1 - e, d = bed.d();
+    drops.push_back(bed.cell * (150 * s * s * bed.nu * bed.U0 / (e * e * e * d * d) +
+                                1.75 * s * bed.U0 * bed.U0 / (e * e * e * d)));
+  }
+  return drops;
+}
+
+HeldBed bedOnTheInlet() {
   HeldBed bed;
   bed.U0 = 0.01;
   bed.nu = 1e-3;
   bed.filled = 5;
+  return bed;
+}
+
+}  // namespace
+
+TEST(FixedFluxPressure, CarriesTheForceOfABedToTheInlet) {
+  const HeldBed bed = bedOnTheInlet();
   auto run = bed.run("inlet");
   run.box("bottomP fixedFluxPressure;");
   run.edit("0/p", "{ type $bottomP; }", "{ type $bottomP; value uniform 0; }");
   run.properties("dragModel Ergun;").dem("steps", 6000);
   ASSERT_EQ(run.meshAndRun(), 0) << run.log();
 
-  const auto n = run.scalars("voidfraction");
-  double p = 0;
-  for (std::size_t row = 0; row < 12; ++row) {
-    const double e = n[4 * row], s = 1 - e, d = bed.d();
-    p += bed.cell * (150 * s * s * bed.nu * bed.U0 / (e * e * e * d * d) +
-                     1.75 * s * bed.U0 * bed.U0 / (e * e * e * d));
-  }
-  EXPECT_NEAR(n[0], 0.6, 1e-6);
+  const auto drops = ergunDrops(bed, run);
+  const double p = std::accumulate(drops.begin(), drops.end(), 0.0);
+  EXPECT_NEAR(run.scalars("voidfraction")[0], 0.6, 1e-6);
   // U is the superficial velocity there
   EXPECT_EQ(run.onPatch("voidfraction", "bottom"), 1);
   EXPECT_NEAR(run.onPatch("p", "bottom") / p, 1, 2e-3);
+}
+
+// With zeroGradient the inlet has the p of its cell, half of whose drop lies below it
+TEST(ZeroGradientPressure, MissesHalfACellOfABedOnTheInlet) {
+  const HeldBed bed = bedOnTheInlet();
+  auto run = bed.run("inlet-zeroGradient");
+  run.properties("dragModel Ergun;").dem("steps", 6000);
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+
+  const auto drops = ergunDrops(bed, run);
+  const double p = std::accumulate(drops.begin(), drops.end(), -drops[0] / 2);
+  EXPECT_NEAR(run.scalars("p")[0] / p, 1, 2e-3);
+}
+
+// Where no patch fixes p
+TEST(PressureReference, IsTheValueOfItsCell) {
+  CoupledRun run("p-reference");
+  run.box("x1 0.02; y1 0.02; z1 0.04; nx 2; ny 2; nz 4; nu 1e-3;");
+  run.edit("system/fvSolution", "pRefCell            0;", "pRefCell 5;");
+  run.edit("system/fvSolution", "pRefValue           0;", "pRefValue 7;");
+  run.dem("hi", "0.02,0.02,0.04").dem("from", "0,0,0.02").dem("to", "0.02,0.02,0.04");
+  run.dem("count", "4,4,4").dem("gravity", "0,0,-9.81").dem("density", 2600).dem("steps", 400);
+  run.dem("radius", 5e-4);
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+  const auto p = run.scalars("p");
+  EXPECT_NEAR(p[5], 7, 1e-9);
+  EXPECT_GT(std::fabs(p[15] - 7), 1e-4);
 }
 
 namespace {

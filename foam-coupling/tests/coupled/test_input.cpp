@@ -67,6 +67,10 @@ INSTANTIATE_TEST_SUITE_P(Files, Passed,
                                                  "zone { active no; cellZone all; }", ""},
                                          Ignored{"static", "constant/dynamicMeshDict",
                                                  "dynamicFvMesh staticFvMesh;", ""},
+                                         Ignored{"elsewhere", "system/MRFProperties",
+                                                 "zone { cellZone all; }",
+                                                 "warning: system/MRFProperties is not read,"
+                                                 " constant/MRFProperties is"},
                                          Ignored{"other", "constant/liggghtsCommands", "a 1;",
                                                  "warning: constant/liggghtsCommands is not read"}),
                          [](const auto& info) { return info.param.name; });
@@ -103,6 +107,33 @@ TEST(Unread, EntriesAndFieldsAreSaid) {
                       "constant/transportProperties: BirdCarreauCoeffs is not read:"
                       " transportModel is Newtonian",
                       "0/k is not read (the flow is laminar)"}))
+      << run.log();
+}
+
+// Coefficients that no model asks for, and settings that another one puts out of action
+TEST(Unread, CoefficientsAndModelsThatAreNotChosenAreSaid) {
+  auto run = column("unread-models");
+  run.edit("constant/transportProperties", "transportModel  Newtonian;\nnu              $nu;",
+           "transportModel BirdCarreau; nu $nu; mu 1e-3;\n"
+           "BirdCarreauCoeffs { nu0 1e-6; nuInf 1e-6; k 1; n 0.5; aa 2; }");
+  run.edit("constant/turbulenceProperties", "simulationType  laminar;",
+           "simulationType laminar; RAS { RASModel kEpsilon; }");
+  run.edit("system/controlDict", "startTime       0;",
+           "startTime 0; stopAt nextWrite; maxDeltaT 1;");
+  run.box("adjust no;");
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+  EXPECT_EQ(
+      run.cfd()["warnings"],
+      nlohmann::json(
+          {"constant/transportProperties: nu is not read; BirdCarreauCoeffs is",
+           "constant/transportProperties: mu is not read; BirdCarreauCoeffs is",
+           "constant/transportProperties: BirdCarreauCoeffs: aa is not read; the nearest entry"
+           " that is: a",
+           "constant/turbulenceProperties: RAS is not read: simulationType is laminar",
+           "system/controlDict: maxCo is not read: adjustTimeStep is no",
+           "system/controlDict: maxDeltaT is not read: adjustTimeStep is no",
+           "system/controlDict: stopAt nextWrite is not followed: the DEM half says when the run"
+           " ends"}))
       << run.log();
 }
 

@@ -1,0 +1,123 @@
+// This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+/*---------------------------------------------------------------------------*\
+Description
+    Which particles have come and gone between two lists of them.
+\*---------------------------------------------------------------------------*/
+
+#include "particleTurnover.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+const label nCells = 6;
+
+struct ball
+{
+    label tag;
+    scalar volume;
+    label cell;             // half of it there, half in the next
+};
+
+void put(dispersedParticles& p, const std::vector<ball>& balls)
+{
+    p.setSize(balls.size());
+    p.clearRows();
+    forAll(p.tag, i)
+    {
+        p.tag[i] = balls[i].tag;
+        p.volume[i] = balls[i].volume;
+        p.owned[i] = true;
+        p.append(balls[i].cell, 0.5);
+        p.append(balls[i].cell + 1, 0.5);
+        p.endRow(i);
+    }
+}
+
+// what is compared, one list after the other
+class turnover
+{
+    dispersedParticles p_;
+
+public:
+
+    particleTurnover found;
+
+    turnover& see(const std::vector<ball>& balls)
+    {
+        put(p_, balls);
+        found.compare(p_, nCells);
+        return *this;
+    }
+};
+
+}
+
+
+// those of the first exchange have been there before
+TEST(particleTurnover, beginsWithWhatIsThere)
+{
+    turnover one;
+    EXPECT_FALSE(one.see({{1, 2, 0}, {2, 2, 3}}).found.any());
+    EXPECT_FALSE(one.see({{1, 2, 0}, {2, 2, 3}}).found.any());
+}
+
+
+TEST(particleTurnover, knowsThoseThatCome)
+{
+    turnover one;
+    one.see({{1, 2, 0}, {2, 2, 3}}).see({{2, 2, 3}, {7, 4, 4}, {1, 2, 1}});
+    ASSERT_TRUE(one.found.any());
+    EXPECT_EQ(one.found.came(), scalarField({0, 0, 0, 0, 2, 2}));
+    EXPECT_EQ(sum(one.found.gone()), 0);
+    EXPECT_TRUE(one.found.lastGone().empty());
+}
+
+
+// where they were last; that is remembered
+TEST(particleTurnover, knowsThoseThatGo)
+{
+    turnover one;
+    one.see({{1, 2, 0}, {2, 6, 3}}).see({{1, 2, 1}});
+    EXPECT_EQ(one.found.gone(), scalarField({0, 0, 0, 3, 3, 0}));
+    EXPECT_EQ(sum(one.found.came()), 0);
+    one.see({{1, 2, 2}});
+    EXPECT_FALSE(one.found.any());
+    EXPECT_EQ(one.found.lastGone(), scalarField({0, 0, 0, 3, 3, 0}));
+    one.see({{1, 2, 2}, {3, 2, 2}});
+    EXPECT_EQ(one.found.lastGone(), scalarField({0, 0, 0, 3, 3, 0}));
+}
+
+
+// number and sum of the tags are the same
+TEST(particleTurnover, seesOneInPlaceOfAnother)
+{
+    turnover one;
+    one.see({{1, 2, 0}, {4, 2, 0}}).see({{2, 2, 4}, {3, 2, 4}});
+    ASSERT_TRUE(one.found.any());
+    EXPECT_EQ(one.found.came(), scalarField({0, 0, 0, 0, 2, 2}));
+    EXPECT_EQ(one.found.gone(), scalarField({2, 2, 0, 0, 0, 0}));
+}
+
+
+TEST(particleTurnover, anEmptyListMayFillAndEmpty)
+{
+    turnover one;
+    EXPECT_TRUE(one.see({}).see({{5, 2, 0}}).found.any());
+    EXPECT_EQ(sum(one.found.came()), 2);
+    EXPECT_TRUE(one.see({}).found.any());
+    EXPECT_EQ(sum(one.found.gone()), 2);
+}
+
+
+// an exchange in which none has moved is not compared
+TEST(particleTurnover, noneComesTwice)
+{
+    turnover one;
+    one.see({{1, 2, 0}}).see({});
+    one.found.rest();
+    EXPECT_FALSE(one.found.any());
+}

@@ -148,6 +148,7 @@ void FixCoupleFoam::init()
   gravity_.find();
 
   refuse([&] { clay::check_order(script_fixes(lmp), modify->find_fix(id)); });
+  refuse([&] { clay::check_others(script_fixes(lmp)); });
 }
 
 /* ----------------------------------------------------------------------

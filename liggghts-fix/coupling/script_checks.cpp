@@ -39,6 +39,21 @@ void check_order(const std::vector<FixEntry> &fixes, int mine)
 
 /* ---------------------------------------------------------------------- */
 
+void check_others(const std::vector<FixEntry> &fixes)
+{
+  for (const FixEntry &other : fixes) {
+    if (begins(other.style, "couple/cfd"))
+      throw std::invalid_argument("'fix " + other.id + " " + other.style +
+                                  "' belongs to another coupling and takes no part in this one; take it out");
+    if (other.style == "buoyancy")
+      throw std::invalid_argument("'fix " + other.id +
+                                  " buoyancy' would count twice, since the CFD half's force model buoyancy brings it; "
+                                  "take it out");
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
 void check_last(const std::vector<FixEntry> &fixes, int mine)
 {
   for (std::size_t i = mine + 1; i < fixes.size(); i++) {

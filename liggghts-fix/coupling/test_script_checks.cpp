@@ -48,6 +48,19 @@ TEST(ScriptChecks, usualForcesStandAbove)
   EXPECT_EQ(order({couple, {"a", "nve/sphere", false}, {"b", "property/atom/wall/x"}, {"c", "settling/curve"}}, 0), "");
 }
 
+TEST(ScriptChecks, fixesOfOtherCouplingsAreNamed)
+{
+  EXPECT_EQ(said([] { check_others({{"a", "gravity"}, couple, {"b", "viscous"}}); }), "");
+  EXPECT_EQ(said([] {
+              check_others({{"a", "couple/cfd/force/implicit"}, couple});
+            }),
+            "'fix a couple/cfd/force/implicit' belongs to another coupling and takes no part in this one; take it out");
+  EXPECT_EQ(said([] {
+              check_others({couple, {"b", "buoyancy"}});
+            }),
+            "'fix b buoyancy' would count twice, since the CFD half's force model buoyancy brings it; take it out");
+}
+
 TEST(ScriptChecks, withAddedMassAllForcesStandAbove)
 {
   EXPECT_EQ(

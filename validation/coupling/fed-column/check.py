@@ -109,7 +109,25 @@ def thrown(checks):
                    1e-10)
 
 
+def away(checks):
+    # above the fluid lie 4 mm of the grains' box, and it flies 6 mm high
+    folder = scene("away", ["headroom=0.004" if s.startswith("headroom") else s for s in THROWN])
+    said = counts(folder)
+    checks.equal("thrown away: spheres inserted, left, deleted, lost, there at the end, in the report",
+                 [said[f"particles{k}"] for k in ("_inserted", "_left", "_deleted", "_lost", "")], [0, 1, 0, 0, 0])
+    checks.equal("thrown away: spheres in the last dump", len(spheres.read(spheres.dumps(folder)[-1][1])["id"]), 0)
+    checks.at_most("thrown away: largest residual of the ledger", coupled.summary(folder)["max_momentum_residual"],
+                   1e-10)
+
+    # no wall of the grains' holds it at the closed floor
+    outcome, _ = coupled.case("fed-column", os.path.join("fed-column", "lost"), "--no-pictures",
+                              *(w for s in [*THROWN, "thrown=0.1", "end=0.3"] for w in ("--set", s)))
+    checks.true("through the floor: ends the run", outcome.status not in (0, None), outcome.status)
+    checks.true("through the floor: names the sphere", "particle 1 was pushed out of the box" in outcome.output)
+
+
 def run(checks):
     fed(checks)
     momentum(checks)
     thrown(checks)
+    away(checks)

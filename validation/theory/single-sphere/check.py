@@ -33,6 +33,13 @@ def run(checks):
         plain[ratio], _ = _run(f"{ratio}d-none", ratio, model="none")
     checks.at_most("momentum residual with the correction", summary(folder)["max_momentum_residual"], 1e-10)
 
+    for ratio in (2, 3, 5):
+        for solid in (2600.0, 1050.0, 500.0):
+            bare, with_it = (_run(f"{ratio}d-{solid:g}-{forces}", ratio, density=solid,
+                                  forces=f"pressureGradient+buoyancy{forces}")[0] for forces in ("", "+addedMass"))
+            checks.at_most(f"cells of {ratio} d, {solid:g} kg/m3: change of the velocity by added mass",
+                           abs(with_it / bare - 1), 1e-3)
+
     corner, _ = _run("2d-corner", 2, place=0.5)
     checks.close("cells of 2 d, on the corner of eight: velocity over the law's", corner, 1.0, 0.01)
     for b in (2, 4, 8):

@@ -112,7 +112,7 @@ TEST(Unread, EntriesAndFieldsAreSaid) {
 
 // Coefficients that no model asks for, and settings that another one puts out of action
 TEST(Unread, CoefficientsAndModelsThatAreNotChosenAreSaid) {
-  auto run = column("unread-models");
+  auto run = smallColumn("unread-models");
   run.edit("constant/transportProperties", "transportModel  Newtonian;\nnu              $nu;",
            "transportModel BirdCarreau; nu $nu; mu 1e-3;\n"
            "BirdCarreauCoeffs { nu0 1e-6; nuInf 1e-6; k 1; n 0.5; aa 2; }");

@@ -193,7 +193,7 @@ def main():
     t, z = t[keep], z[keep]
     if t.size < _LEAST_ROWS:
         raise CaseError(f"{path}: {t.size} rows; must be at least {_LEAST_ROWS}")
-    out = settings.folder(args.out or os.path.dirname(os.path.abspath(path)))
+    out = settings.folder(os.path.dirname(os.path.abspath(path)) if args.out is None else args.out)
     fit, stages = find(t, z, args)
     print(table(fit, stages, names, scale))
     with open(os.path.join(out, "stages.json"), "w", encoding="utf-8") as f:

@@ -110,7 +110,9 @@ def said(more):
 
 def path(out, *default):
     """The folder of --out, else that of the default in results."""
-    return os.path.abspath(out or os.path.join(TOP, "results", *default))
+    if out is not None and not out.strip():  # a variable of a script that is not set
+        raise CaseError(f"--out {out!r}: must name a folder")
+    return os.path.abspath(os.path.join(TOP, "results", *default) if out is None else out)
 
 
 def folder(out, *default):

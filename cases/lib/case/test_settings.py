@@ -81,7 +81,9 @@ class SettingsTest(unittest.TestCase):
             self.assertTrue(os.path.isdir(settings.folder(os.path.join(top, "a", "b"))))
             path = os.path.join(top, "file")
             open(path, "w", encoding="utf-8").close()
-            for wrong, says in ((path, "is a file; name a folder"), (os.path.join(path, "b"), "Not a directory")):
+            self.assertEqual(settings.path(None, "a"), os.path.join(settings.TOP, "results", "a"))
+            for wrong, says in (("", "must name a folder"), (" ", "must name a folder"),
+                                (path, "is a file; name a folder"), (os.path.join(path, "b"), "Not a directory")):
                 with self.assertRaisesRegex(CaseError, says):
                     settings.folder(wrong)
 

@@ -10,7 +10,6 @@ import time
 from dataclasses import dataclass
 
 from cases.lib.case import settings
-from cases.lib.case.casefile import TOP
 from cases.lib.case.errors import CaseError, nearest
 from cases.lib.case.program import run as run_program
 from cases.lib.run import runs
@@ -110,7 +109,7 @@ def draw(number, made, options):
 def main():
     options = parser().parse_args()
     numbers = chosen(options.numbers)
-    options.out = os.path.abspath(options.out or os.path.join(TOP, "results", "figures"))
+    options.out = settings.path(options.out, "figures")
     if options.jobs is not None and options.jobs < 1:
         raise CaseError(f"--jobs {options.jobs}: must be at least 1")
     if options.long and options.quick:

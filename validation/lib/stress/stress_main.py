@@ -13,6 +13,7 @@ import threading
 import time
 from collections import Counter
 
+from cases.lib.case import settings
 from cases.lib.case.errors import CaseError
 from cases.lib.case.program import run as run_program
 from cases.lib.run import runkey
@@ -182,7 +183,7 @@ def main():
         raise CaseError(f"--runs {args.runs}: must be at least 1")
     if args.jobs < 1:
         raise CaseError(f"--jobs {args.jobs}: must be at least 1")
-    out = os.path.abspath(args.out or os.path.join(coupled.TOP, "results", "stress"))
+    out = settings.path(args.out, "stress")
     os.makedirs(os.path.join(out, "runs"), exist_ok=True)
     points = chosen(args.part, args.runs)
     if args.only:

@@ -2,6 +2,7 @@
 // liggghts-clay: LIGGGHTS with the styles of this folder. It takes LIGGGHTS's
 // own options; without a coupling fix in the script it is LIGGGHTS.
 #include <mpi.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstring>
@@ -19,16 +20,35 @@ const clay::Half clay::programHalf = clay::Half::dem;
 
 namespace {
 
+volatile sig_atomic_t coupled = 0;  // the mpirun has a CFD half
+
+// Nothing in a handler may allocate: LIGGGHTS's own do, and hang when the signal
+// comes within malloc.
+
+// before the first exchange of a coupled run there is nothing to keep, nor after it
+void end_early(int signal)
+{
+  static const char text[] = "liggghts-clay: ended by a signal outside of its coupled run\n";
+  if (write(STDERR_FILENO, text, sizeof text - 1) < 0) _exit(1);
+  _exit(128 + signal);
+}
+
 // as LIGGGHTS does, where no coupled run listens: write a restart on the first
-// signal, quit on the second
+// signal and quit, quit at once on the second
 void on_stop(int signal)
 {
-  if (!clay::note_stop(signal)) SignalHandler::int_handler(signal);
+  if (clay::note_stop(signal)) return;
+  if (coupled) end_early(signal);
+  if (SignalHandler::request_quit) _exit(1);
+  SignalHandler::request_write_restart = SignalHandler::enable_restart_writing;
+  SignalHandler::request_quit = true;
 }
 
 void on_save(int signal)
 {
-  if (!clay::note_stop(signal)) SignalHandler::usr1_handler(signal);
+  if (clay::note_stop(signal)) return;
+  if (coupled) end_early(signal);
+  SignalHandler::request_write_restart = SignalHandler::enable_restart_writing;
 }
 
 void handle_signals()
@@ -38,7 +58,6 @@ void handle_signals()
   std::memset(&save, 0, sizeof save);
   stop.sa_handler = on_stop;
   save.sa_handler = on_save;
-  // also where a shell has a background job ignore it
   sigaction(SIGINT, &stop, nullptr);
   sigaction(SIGTERM, &stop, nullptr);
   sigaction(SIGUSR1, &save, nullptr);
@@ -50,8 +69,10 @@ void handle_signals()
 
 int main(int argc, char **argv)
 {
-  handle_signals();
+  std::signal(SIGINT, SIG_DFL);  // also where a shell has a background job ignore it
   MPI_Init(&argc, &argv);
+  coupled = clay::World::instance().hasOtherHalf();
+  handle_signals();
 
   LAMMPS *lammps = new LAMMPS(argc, argv, MPI_COMM_WORLD);
   register_clay_styles(lammps);

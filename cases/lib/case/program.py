@@ -5,7 +5,7 @@ import contextlib
 import os
 import sys
 
-from cases.lib.case import stops
+from cases.lib.case import files, stops
 from cases.lib.case.errors import CaseError
 
 
@@ -13,7 +13,8 @@ def guarded(work, program):
     """A program's exit code; bad input is said in one line."""
     try:
         status = work()
-        sys.stdout.flush()
+        with files.naming("standard output"):
+            sys.stdout.flush()
         return status
     except CaseError as e:
         return _said(program, e, 2)
@@ -33,8 +34,9 @@ def guarded(work, program):
 
 def said(error):
     """An error in one line; one of the system with the place it is about."""
-    named = isinstance(error, OSError) and error.filename and error.strerror
-    return f"{error.filename}: {error.strerror}" if named else " ".join(str(error).split())
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
+    return " ".join(str(error).split())
 
 
 def _said(program, what, status):

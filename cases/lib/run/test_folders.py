@@ -83,11 +83,11 @@ def test_what_was_only_prepared_is_used_again(tmp_path, case):
 def test_other_things_are_not_touched(tmp_path, case, name, overwrite):
     (tmp_path / "DEM").mkdir()
     (tmp_path / "picture.png").write_text("mine")
-    (tmp_path / name).write_text('{"mine": 1}')
+    (tmp_path / name).write_text('{"mine": 1, "values": {}}')
     with pytest.raises(CaseError, match="holds other things than a run"):
         folders.claim(case, str(tmp_path), overwrite)
     assert (tmp_path / "picture.png").read_text() == "mine"
-    assert (tmp_path / name).read_text() == '{"mine": 1}'
+    assert (tmp_path / name).read_text() == '{"mine": 1, "values": {}}'
     assert not (tmp_path / ".lock").exists()
 
 

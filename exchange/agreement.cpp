@@ -59,6 +59,61 @@ std::string unitHint(const Box& dem, const Box& mesh) {
   return "";
 }
 
+bool allPossible(const std::array<double, 3>& x) {
+  return clay::possible(x[0]) && clay::possible(x[1]) && clay::possible(x[2]);
+}
+
+// A box of numbers, or none at all
+bool sound(const Box& b) {
+  const Box none;
+  return (b.lo == none.lo && b.hi == none.hi) ||
+         (allPossible(b.lo) && allPossible(b.hi) && stated(b));
+}
+
+// What is no number, or too large for one of physics
+std::string noNumbers(const DemTerms& dem, const CfdTerms& cfd) {
+  const auto odd = [](const char* half, const char* what, const std::string& value) {
+    return std::string("the ") + half + " half's " + what + " is " + value;
+  };
+  for (double t : {dem.startTime, dem.endTime})
+    if (!possible(t)) return odd("DEM", "time", text(t) + " s");
+  if (!allPossible(dem.gravity)) return odd("DEM", "gravity", text(dem.gravity) + " m/s2");
+  if (!sound(dem.box)) return odd("DEM", "box", text(dem.box) + " m");
+  if (!possible(dem.maxRadius) || dem.maxRadius < 0)
+    return odd("DEM", "largest radius", text(dem.maxRadius) + " m");
+  for (double t : {cfd.startTime, cfd.endTime.value_or(0), cfd.couplingInterval.value_or(0)})
+    if (!possible(t)) return odd("CFD", "time", text(t) + " s");
+  if (cfd.gravity && !allPossible(*cfd.gravity))
+    return odd("CFD", "gravity", text(*cfd.gravity) + " m/s2");
+  if (!sound(cfd.box)) return odd("CFD", "mesh", text(cfd.box) + " m");
+  if (cfd.period && !allPossible(*cfd.period))
+    return odd("CFD", "period", text(*cfd.period) + " m");
+  for (double x : {dem.step, cfd.fluidDensity, cfd.fluidViscosity})
+    if (!possible(x)) return "a time step, density or viscosity is " + text(x);
+  return "";
+}
+
+// Each half sends and needs its own kind
+std::string directions(const DemTerms& dem, const CfdTerms& cfd) {
+  FieldSet states, answers;
+  for (unsigned i = 0; i < fieldCount; ++i) {
+    const auto f = static_cast<Field>(i);
+    (isAnswer(f) ? answers : states).add(f);
+  }
+  const auto odd = [](const char* who, const FieldSet& strange) {
+    return strange.empty() ? ""
+                           : std::string(who) + " " + list(strange) + ", which goes the other way";
+  };
+  for (const auto& line : {odd("the DEM half offers", dem.offers.without(states)),
+                           odd("the DEM half brings", dem.brings.without(states)),
+                           odd("the DEM half needs", dem.needs.without(answers)),
+                           odd("the CFD half needs", cfd.needs.without(states)),
+                           odd("the CFD half accepts", cfd.accepts.without(states)),
+                           odd("the CFD half offers", cfd.offers.without(answers))})
+    if (!line.empty()) return line;
+  return "";
+}
+
 std::string oneHalfAlone(const DemTerms& dem, const CfdTerms& cfd) {
   if (!(dem.step > 0))
     return "the DEM half's time step is " + text(dem.step) + " s; it must be above 0";
@@ -157,7 +212,7 @@ std::string disagreement(const DemTerms& dem, const CfdTerms& cfd) {
     return "the halves speak different versions of the exchange: " + std::to_string(dem.wire) +
            " in the DEM half (" + dem.program + "), " + std::to_string(cfd.wire) +
            " in the CFD half (" + cfd.program + ")";
-  for (auto check : {oneHalfAlone, times, gravities, fields, periods}) {
+  for (auto check : {oneHalfAlone, noNumbers, directions, times, gravities, fields, periods}) {
     std::string line = check(dem, cfd);
     if (!line.empty()) return line;
   }

@@ -2,9 +2,11 @@
 /// \file cfd_session.cpp
 /// The CFD half's side of a session.
 #include <algorithm>
+#include <climits>
 #include <cstdio>
 #include <stdexcept>
 
+#include "exchange/decode.h"
 #include "exchange/shutdown.h"
 #include "exchange/handshake.h"
 #include "exchange/packing.h"
@@ -33,8 +35,13 @@ struct CfdSession::Impl {
     Header announced;  // what it does next, comes in at any time
     Header header;     // of the last state
     std::vector<double> state, answer;
-    int first = 0;  // its first particle here
+    int first = 0;               // its first particle here
+    std::ptrdiff_t doubles = 0;  // of its state
     int count() const { return static_cast<int>(header.count); }
+    std::size_t announcedDoubles(const FieldSet& fields) const {
+      return static_cast<std::size_t>(header.count) * static_cast<std::size_t>(fields.width()) +
+             static_cast<std::size_t>(header.shares);
+    }
   };
 
   BothTerms terms;
@@ -43,8 +50,9 @@ struct CfdSession::Impl {
   std::vector<MPI_Request> headers, states, out;
   SharedParticles shared;
   int particles = 0;
-  double time = 0, interval = 0, reported = 0, late = 0;
-  bool last = false, open = false, closeReceived = false;
+  std::vector<MPI_Status> headerStatus;
+  double time = 0, interval = 0, reported = 0;
+  bool late = false, last = false, open = false, closeReceived = false;
   std::array<double, 3> impulse{};
   Timing timing;
 
@@ -61,62 +69,143 @@ struct CfdSession::Impl {
                  wire::tagHeader, world.whole(), &headers[p]);
   }
 
+  bool headersIn() {
+    headerStatus.resize(headers.size());
+    int done = 0;
+    if (!headers.empty() && headers[0] == MPI_REQUEST_NULL) return true;
+    PMPI_Testall(static_cast<int>(headers.size()), headers.data(), &done, headerStatus.data());
+    return done != 0;
+  }
+
+  void endOnUnannounced();
+  void checkHeaders();
+  void receiveStates();
   void takeState(Particles& particles);
   void unpack(Particles& particles);
   void pack(const Particles& answers, const std::vector<char>& owned, RemoteRank& remote);
 };
 
-void CfdSession::Impl::takeState(Particles& list) {
+// A state lies here whose announcement has not come, though it goes ahead of it: a second
+// one, whose sender waits for it to be taken
+void CfdSession::Impl::endOnUnannounced() {
   const auto& world = World::instance();
-  const int width = receives.width();
+  for (std::size_t p = 0; p < headers.size(); ++p) {
+    int there = 0, announced = 1;
+    PMPI_Iprobe(world.remoteRanks()[p], wire::tagState, world.whole(), &there, MPI_STATUS_IGNORE);
+    if (there) PMPI_Request_get_status(headers[p], &announced, MPI_STATUS_IGNORE);
+    if (!announced)
+      abandon("DEM rank " + std::to_string(p) + " sent a state that it has not announced");
+  }
+}
+
+void CfdSession::Impl::checkHeaders() {
+  const auto& dem = terms.dem;
+  const wire::Known known{timing.exchanges, time, dem.endTime, dem.step, last, receives.width()};
+  std::ptrdiff_t all = 0;
+  for (std::size_t p = 0; p < remotes.size(); ++p) try {
+      int doubles = 0;
+      PMPI_Get_count(&headerStatus[p], MPI_DOUBLE, &doubles);
+      if (doubles != Header::doubles)
+        throw wire::Damaged("it holds " + std::to_string(doubles) + " doubles of " +
+                            std::to_string(Header::doubles));
+      wire::checkHeader(remotes[p].announced, known);
+      wire::checkAlike(remotes[0].announced, remotes[p].announced);
+      all += static_cast<std::ptrdiff_t>(remotes[p].announced.count);
+      if (all > INT_MAX) throw wire::Damaged("all ranks' particles are too many for one rank");
+    } catch (const wire::Damaged& damage) {
+      abandon("the announcement of DEM rank " + std::to_string(p) + ": " + damage.what());
+    }
+}
+
+// The messages' lengths are looked at before there is room for them
+void CfdSession::Impl::receiveStates() {
+  const auto& world = World::instance();
+  const auto receive = [&](std::size_t p) {
+    auto& remote = remotes[p];
+    MPI_Message message;
+    MPI_Status status;
+    int there = 0, doubles = 0;
+    PMPI_Improbe(world.remoteRanks()[p], wire::tagState, world.whole(), &there, &message, &status);
+    if (!there) return false;
+    PMPI_Get_count(&status, MPI_DOUBLE, &doubles);
+    remote.doubles = doubles;
+    remote.state.resize(static_cast<std::size_t>(std::max(doubles, 0)));
+    int bytes = 0;
+    PMPI_Get_count(&status, MPI_BYTE, &bytes);
+    if (doubles < 0 || static_cast<std::size_t>(doubles) != remote.announcedDoubles(receives))
+      abandon("the state of DEM rank " + std::to_string(p) + " has " + std::to_string(bytes) +
+              " bytes; " + std::to_string(8 * remote.announcedDoubles(receives)) +
+              " were announced");
+    states.emplace_back();
+    PMPI_Imrecv(remote.state.data(), doubles, MPI_DOUBLE, &message, &states.back());
+    return true;
+  };
+  std::vector<std::size_t> waiting;
+  for (std::size_t p = 0; p < remotes.size(); ++p)
+    if (remotes[p].count() > 0) waiting.push_back(p);
+  states.clear();
+  waitUntil(
+      [&] {
+        waiting.erase(std::remove_if(waiting.begin(), waiting.end(), receive), waiting.end());
+        return waiting.empty() && allDone(states);
+      },
+      forState, &timing.waiting);
+}
+
+void CfdSession::Impl::takeState(Particles& list) {
   time = remotes[0].announced.time;
   interval = remotes[0].announced.interval;
   last = remotes[0].announced.last != 0;
   impulse = {};
   particles = 0;
-  states.clear();
-  for (std::size_t p = 0; p < remotes.size(); ++p) {
-    auto& remote = remotes[p];
+  for (auto& remote : remotes) {
     const Header& h = remote.header = remote.announced;
     // in the order of the ranks: the sum is the same on every CFD rank
     for (int c = 0; c < 3; ++c) impulse[c] += h.impulse[c];
     remote.first = particles;
-    if (h.count == 0) continue;
     particles += remote.count();
-    remote.state.resize(static_cast<std::size_t>(remote.count()) * width +
-                        static_cast<std::size_t>(h.shares));
-    states.emplace_back();
-    PMPI_Irecv(remote.state.data(), static_cast<int>(remote.state.size()), MPI_DOUBLE,
-               world.remoteRanks()[p], wire::tagState, world.whole(), &states.back());
   }
-  waitUntil([&] { return allDone(states); }, forState, &timing.waiting);
+  receiveStates();
   unpack(list);
 }
 
 void CfdSession::Impl::unpack(Particles& list) {
+  const auto& world = World::instance();
   if (!(list.fields() == receives)) list = Particles(receives);
   list.resize(particles);
   shared.clear();
-  for (auto& remote : remotes) {
+  for (std::size_t p = 0; p < remotes.size(); ++p) {
+    const auto& remote = remotes[p];
     const int n = remote.count();
     if (n == 0) continue;
+    try {
+      wire::checkState(remote.state.data(), remote.doubles, remote.header, receives.width(),
+                       world.rank(), world.size());
+    } catch (const wire::Damaged& damage) {
+      abandon("the state of DEM rank " + std::to_string(p) + ": " + damage.what());
+    }
     const double* from = unpackFields(remote.state.data(), receives, n, list, remote.first);
     shared.add(from, static_cast<std::size_t>(remote.header.shares), remote.first);
   }
+  const Astray astray = firstAstray(list);
+  if (astray.particle < 0) return;
+  char when[40];
+  std::snprintf(when, sizeof when, "%.9g s", time);
+  abandon("from the DEM half came " + describe(astray, list, list) + ", at time " + when +
+          "; a smaller timestep, a stiffer contact or a shorter coupling interval may help");
 }
 
 void CfdSession::Impl::pack(const Particles& answers, const std::vector<char>& owned,
                             RemoteRank& remote) {
   packAnswers(answers, owned, sends, remote.first, remote.count(), wire::answerEnd, remote.answer);
-  *(remote.answer.end() - 2) = reported;
-  *(remote.answer.end() - 1) = late;
+  wire::endAnswer(remote.answer, reported, late, timing.exchanges - 1);
 }
 
 CfdSession::CfdSession(const CfdTerms& mine, const RankBoxes& boxes) : impl_(new Impl) {
   auto& s = *impl_;
   s.terms = shakeHands(Half::cfd, encode(mine));
   s.settle();
-  sendBoxes(boxes);
+  sendBoxes(boxes, mine.box);
   s.remotes.resize(World::instance().remoteRanks().size());
   s.time = s.terms.dem.startTime;
   s.open = true;
@@ -141,12 +230,15 @@ CfdSession::Event CfdSession::next(Particles& particles) {
   auto& s = *impl_;
   if (s.closeReceived) return Event::closed;
   const double start = now(), idle = s.timing.waiting;
-  waitUntil([&] { return allDone(s.headers) && allDone(s.out); }, forState, &s.timing.waiting);
+  long tests = 0;
+  const auto here = [&] {
+    if (s.headersIn() && allDone(s.out)) return true;
+    if (++tests % 1000 == 0) s.endOnUnannounced();
+    return false;
+  };
+  waitUntil(here, forState, &s.timing.waiting);
+  s.checkHeaders();
   const Header h = s.remotes[0].announced;
-  for (const auto& remote : s.remotes)
-    if (remote.announced.kind != h.kind || remote.announced.exchange != h.exchange)
-      abandon("the ranks of the DEM half are not at the same exchange");
-
   Event event = Event::state;
   switch (static_cast<Kind>(static_cast<int>(h.kind))) {
     case Kind::state:
@@ -155,10 +247,10 @@ CfdSession::Event CfdSession::next(Particles& particles) {
       s.postHeaders();
       break;
     case Kind::resume:
-      s.terms.dem = decodeDem(receiveFromOtherHalf(wire::tagTerms, "the DEM half's new terms"));
       // this half goes on where the last run ended
       s.terms.cfd.startTime = s.time;
-      agree(s.terms.dem, s.terms.cfd);
+      s.last = false;
+      shakeHandsAgain(Half::cfd, "", s.terms);
       s.settle();
       s.postHeaders();
       event = Event::resumed;

@@ -2,10 +2,12 @@
 /// \file dem_session.cpp
 /// The DEM half's side of a session.
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
+#include "exchange/decode.h"
 #include "exchange/shutdown.h"
 #include "exchange/handshake.h"
 #include "exchange/routing.h"
@@ -28,6 +30,12 @@ double now() { return PMPI_Wtime(); }
 std::string text(const double* x) {
   char s[96];
   std::snprintf(s, sizeof s, "(%.9g %.9g %.9g)", x[0], x[1], x[2]);
+  return s;
+}
+
+std::string seconds(double time) {
+  char s[40];
+  std::snprintf(s, sizeof s, "%.9g s", time);
   return s;
 }
 
@@ -71,6 +79,7 @@ struct DemSession::Impl {
       header.kind = static_cast<int>(kind);
       header.exchange = static_cast<double>(timing.exchanges);
       header.time = lastTime;
+      wire::sealHeader(header);
       post(&header, Header::doubles, world.remoteRanks()[p], wire::tagHeader);
     }
   }
@@ -84,6 +93,7 @@ struct DemSession::Impl {
 
   void pack(const Particles& particles, const Routing::Route& route, RemoteRank& remote);
   bool test();
+  void take(std::size_t p, Particles& answer);
   void unpack(Particles& answer);
   bool left(int i) const;
   [[noreturn]] void lost(int i) const;
@@ -93,6 +103,10 @@ struct DemSession::Impl {
 void DemSession::Impl::pack(const Particles& particles, const Routing::Route& route,
                             RemoteRank& remote) {
   const std::size_t n = route.particles.size();
+  const std::size_t most = INT_MAX;
+  if (n > most / static_cast<std::size_t>(sends.width()) || route.shares.size() > most / 2)
+    abandon(std::to_string(n) +
+            " particles of a rank are too many for one message; take more ranks");
   remote.state.resize(n * static_cast<std::size_t>(sends.width()) + route.shares.size());
   double* to = remote.state.data();
   for (unsigned k = 0; k < fieldCount; ++k) {
@@ -127,11 +141,45 @@ bool DemSession::Impl::left(int i) const {
 void DemSession::Impl::lost(int i) const {
   const auto& world = terms.cfd.box;
   const double* tag = sent->fields().has(Field::tag) ? (*sent)[Field::tag] : nullptr;
-  char when[40];
-  std::snprintf(when, sizeof when, "%.9g s", lastTime);
   abandon("particle " + (tag ? std::to_string(std::llround(tag[i])) : std::string("?")) + " at " +
           text((*sent)[Field::position] + 3 * i) + " m lies outside the mesh, " +
-          text(world.lo.data()) + " to " + text(world.hi.data()) + " m, at " + when);
+          text(world.lo.data()) + " to " + text(world.hi.data()) + " m, at " + seconds(lastTime));
+}
+
+// One CFD rank's answers to their places
+void DemSession::Impl::take(std::size_t p, Particles& answer) {
+  const auto& remote = remotes[p];
+  const auto& particles = routing[p].particles;
+  if (particles.empty()) return;
+  const long exchange = timing.exchanges - 1;
+  wire::AnswerParts parts;
+  try {
+    int doubles = 0;
+    PMPI_Get_count(&inStatus[remote.answerSlot], MPI_DOUBLE, &doubles);
+    parts = wire::readAnswer(remote.answer.data(), doubles, particles.size(), receives.width(),
+                             exchange);
+  } catch (const wire::Damaged& damage) {
+    abandon("the answer of CFD rank " + std::to_string(p) + ": " + damage.what());
+  }
+  reported = parts.reported;
+  late = late || parts.late;
+  const auto place = [&](std::size_t a) {
+    return particles[static_cast<std::size_t>(parts.place[a])];
+  };
+  for (std::size_t a = 0; a < parts.count; ++a) {
+    auto& answered = answeredIn[static_cast<std::size_t>(place(a))];
+    if (answered >= 0) abandon("two CFD ranks answered for the same particle");
+    answered = exchange;
+  }
+  const double* from = parts.fields;
+  for (unsigned k = 0; k < fieldCount; ++k) {
+    const auto f = static_cast<Field>(k);
+    if (!receives.has(f)) continue;
+    const int c = components(f);
+    double* to = answer[f];
+    for (std::size_t a = 0; a < parts.count; ++a, from += c)
+      std::copy(from, from + c, to + static_cast<std::ptrdiff_t>(c) * place(a));
+  }
 }
 
 void DemSession::Impl::unpack(Particles& answer) {
@@ -141,32 +189,7 @@ void DemSession::Impl::unpack(Particles& answer) {
   answeredIn.resize(static_cast<std::size_t>(n), -1);
   std::fill(answeredIn.begin(), answeredIn.end(), -1);
   late = false;
-  const std::size_t width = static_cast<std::size_t>(receives.width());
-  for (std::size_t p = 0; p < remotes.size(); ++p) {
-    const auto& remote = remotes[p];
-    const auto& particles = routing[p].particles;
-    if (particles.empty()) continue;
-    int doubles = 0;
-    PMPI_Get_count(&inStatus[remote.answerSlot], MPI_DOUBLE, &doubles);
-    const std::size_t answers = static_cast<std::size_t>(doubles - wire::answerEnd) / (1 + width);
-    reported = remote.answer[static_cast<std::size_t>(doubles - 2)];
-    late = late || remote.answer[static_cast<std::size_t>(doubles - 1)] != 0;
-    const double* index = remote.answer.data();
-    const double* from = index + answers;
-    for (std::size_t a = 0; a < answers; ++a) {
-      const auto i = static_cast<std::size_t>(particles[static_cast<std::size_t>(index[a])]);
-      if (answeredIn[i] >= 0) abandon("two CFD ranks answered for the same particle");
-      answeredIn[i] = timing.exchanges;
-    }
-    for (unsigned k = 0; k < fieldCount; ++k) {
-      const auto f = static_cast<Field>(k);
-      if (!receives.has(f)) continue;
-      const int c = components(f);
-      double* to = answer[f];
-      for (std::size_t a = 0; a < answers; ++a, from += c)
-        std::copy(from, from + c, to + c * particles[static_cast<std::size_t>(index[a])]);
-    }
-  }
+  for (std::size_t p = 0; p < remotes.size(); ++p) take(p, answer);
   away = 0;
   for (int i = 0; i < n; ++i) {
     if (answeredIn[static_cast<std::size_t>(i)] >= 0) continue;
@@ -177,13 +200,19 @@ void DemSession::Impl::unpack(Particles& answer) {
       if (receives.has(f)) std::fill_n(answer[f] + components(f) * i, components(f), 0.);
     }
   }
+  const Astray astray = firstAstray(answer);
+  if (astray.particle >= 0)
+    abandon("the CFD half's answer to " + describe(astray, answer, *sent) + ", at " +
+            seconds(lastTime) +
+            "; the flow or its forces went wrong: a smaller maxCo or deltaT, or a shorter coupling "
+            "interval, may help");
 }
 
 DemSession::DemSession(const DemTerms& mine) : impl_(new Impl) {
   auto& s = *impl_;
   s.terms = shakeHands(Half::dem, encode(mine));
   s.settle();
-  s.routing = Routing(receiveBoxes());
+  s.routing = Routing(receiveBoxes(s.terms.cfd.box));
   s.remotes.resize(s.routing.size());
   s.lastTime = s.terms.dem.startTime;
   s.open = true;
@@ -233,9 +262,11 @@ void DemSession::send(const Particles& particles, double time, bool last,
     h.count = static_cast<double>(n);
     h.shares = static_cast<double>(route.shares.size());
     std::copy(impulse.begin(), impulse.end(), h.impulse);
+    if (n > 0) s.pack(particles, route, remote);
+    h.stateSeal = n > 0 ? wire::seal(remote.state.data(), remote.state.size()) : 0;
+    wire::sealHeader(h);
     s.post(&h, Header::doubles, world.remoteRanks()[p], wire::tagHeader);
     if (n == 0) continue;
-    s.pack(particles, route, remote);
     s.post(remote.state.data(), remote.state.size(), world.remoteRanks()[p], wire::tagState);
     remote.answer.resize(n * (1 + width) + wire::answerEnd);
     remote.answerSlot = s.in.size();
@@ -273,17 +304,12 @@ void DemSession::receive(Particles& answer) {
 
 void DemSession::resume(const DemTerms& terms) {
   auto& s = *impl_;
-  const auto& world = World::instance();
   if (s.awaiting) throw std::logic_error("DemSession::resume: the last answer was not received");
   s.announce(Kind::resume);
-  // the first rank's terms count, as in the first handshake
-  if (world.rank() == 0) sendText(encode(terms), world.remoteRanks()[0], wire::tagTerms, forTaking);
-  const std::string agreed = shareText(encode(terms));
-  s.terms.dem = decodeDem(agreed);
   // the CFD half goes on where the last run ended
   s.runOver = false;
   s.terms.cfd.startTime = s.lastTime;
-  agree(s.terms.dem, s.terms.cfd);
+  shakeHandsAgain(Half::dem, encode(terms), s.terms);
   s.settle();
 }
 

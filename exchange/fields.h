@@ -41,6 +41,9 @@ enum class Field : unsigned {
 
 constexpr unsigned fieldCount = static_cast<unsigned>(Field::count);
 
+/// True for what the CFD half answers, false for what the DEM half sends.
+constexpr bool isAnswer(Field f) { return f >= Field::dragCoefficient; }
+
 /// Number of doubles a particle has of a field.
 int components(Field f);
 
@@ -93,14 +96,23 @@ class Particles {
   std::array<std::vector<double>, fieldCount> data_;
 };
 
-/// Where a value that is not a number (or is infinite) stands.
-struct NonFinite {
-  int particle = -1;  ///< index of the particle, -1 when all values are finite
+/// Larger numbers than this, and what is no number, mean that a computation went wrong.
+constexpr double largestNumber = 1e100;
+inline bool possible(double x) { return x > -largestNumber && x < largestNumber; }
+
+/// Where a value stands that its field cannot have.
+struct Astray {
+  int particle = -1;  ///< index of the particle, -1 when all values are possible
   Field field = Field::count;
 };
 
-/// The first particle that has a value which is not finite.
-NonFinite firstNonFinite(const Particles&);
+/// The first particle that has a value which is no number or none that the field can
+/// have: a size or a coefficient below 0, a particle's or clump's number that is not whole.
+Astray firstAstray(const Particles&);
+
+/// In words: the particle's number, where it is, the field and its values.
+/// \param known  the particles themselves, where the values are an answer to them
+std::string describe(const Astray&, const Particles& values, const Particles& known);
 
 /// An axis-parallel box [m].
 struct Box {

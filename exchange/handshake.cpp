@@ -1,9 +1,10 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #include "exchange/handshake.h"
 
-#include <cstring>
 #include <stdexcept>
+#include <utility>
 
+#include "exchange/decode.h"
 #include "exchange/shutdown.h"
 #include "exchange/waiting.h"
 #include "exchange/wire.h"
@@ -13,6 +14,7 @@ namespace clay {
 namespace {
 
 constexpr const char* forTerms = "the other half's terms";
+constexpr const char* forVerdict = "the other half's verdict on the terms";
 constexpr const char* forBoxes = "the boxes of the CFD ranks";
 
 // The first rank's text on every rank of this half
@@ -24,11 +26,82 @@ std::string fromFirst(const std::string& text, int tag, const char* forWhat) {
   return text;
 }
 
-// Their number and they
-std::string pack(const RankBoxes& boxes) {
-  const std::size_t n = boxes.size();
-  return std::string(reinterpret_cast<const char*>(&n), sizeof n) +
-         std::string(reinterpret_cast<const char*>(boxes.data()), n * sizeof(Box));
+// First ranks: mine for theirs. Both send first: the message must be under way before the wait
+std::string swapped(const std::string& mine, int tag, const char* forWhat) {
+  const auto& world = World::instance();
+  std::vector<MPI_Request> request(1);
+  PMPI_Isend(mine.data(), static_cast<int>(mine.size()), MPI_CHAR, world.remoteRanks()[0], tag,
+             world.whole(), &request[0]);
+  std::string theirs = receiveText(world.remoteRanks()[0], tag, forWhat);
+  waitUntil([&] { return allDone(request); }, forWhat);
+  return theirs;
+}
+
+// Why these terms are refused, or nothing; whether the other half is one that gives a verdict
+std::string judged(const std::string& dem, const std::string& cfd, bool& sameWire) {
+  sameWire = false;
+  try {
+    const DemTerms d = decodeDem(dem);
+    const CfdTerms c = decodeCfd(cfd);
+    sameWire = d.wire == c.wire;
+    return disagreement(d, c);
+  } catch (const Refusal& refusal) {
+    return refusal.what();
+  }
+}
+
+// First ranks: what both halves make of the terms that they have. One that cannot take
+// part in this, or finds that the other did not get what it has, is told to end.
+wire::Verdict concluded(Half half, const std::string& dem, const std::string& cfd) {
+  bool sameWire = false;
+  wire::Verdict mine{wire::digest(dem), wire::digest(cfd), judged(dem, cfd, sameWire)};
+  bool told = !sameWire;
+  if (sameWire) try {
+      const auto theirs =
+          wire::decodeVerdict(swapped(wire::encode(mine), wire::tagVerdict, forVerdict));
+      told = theirs.dem != mine.dem || theirs.cfd != mine.cfd;
+      if (told)
+        mine.line = "the terms did not come in as they were sent";
+      else if (mine.line.empty() || (half == Half::cfd && !theirs.line.empty()))
+        mine.line = theirs.line;
+    } catch (const wire::Damaged& damage) {
+      told = true;
+      mine.line = std::string("the other half's verdict on the terms: ") + damage.what();
+    }
+  if (told) farewell(mine.line);
+  return mine;
+}
+
+// The first ranks' verdict on the terms that they have, on every rank
+BothTerms settled(Half half, std::string dem, std::string cfd) {
+  std::string verdict;
+  if (World::instance().rank() == 0) {
+    const auto mine = concluded(half, dem, cfd);
+    if (!mine.line.empty()) setStage(Stage::closed);
+    verdict = wire::encode(mine);
+  }
+  dem = fromFirst(dem, wire::tagTerms, forTerms);
+  cfd = fromFirst(cfd, wire::tagTerms, forTerms);
+  try {
+    const auto all = wire::decodeVerdict(fromFirst(verdict, wire::tagVerdict, forVerdict));
+    if (all.dem != wire::digest(dem) || all.cfd != wire::digest(cfd))
+      throw wire::Damaged("the terms did not come in as they were sent");
+    if (!all.line.empty()) {
+      setStage(Stage::closed);
+      throw Refusal(all.line);
+    }
+  } catch (const wire::Damaged& damage) {
+    abandon(std::string("from this half's first rank: ") + damage.what());
+  }
+  return {decodeDem(dem), decodeCfd(cfd)};
+}
+
+std::vector<RankBoxes> decoded(const std::string& bytes, std::size_t ranks, const Box& mesh) {
+  try {
+    return wire::decodeBoxes(bytes, ranks, mesh);
+  } catch (const wire::Damaged& damage) {
+    abandon(std::string("the boxes of the CFD ranks: ") + damage.what());
+  }
 }
 
 }  // namespace
@@ -45,72 +118,46 @@ BothTerms shakeHands(Half half, const std::string& myTerms) {
   if (stage() == Stage::closed)
     throw Refusal("the coupled run is over: the other half has ended, none can begin");
   silenceLimit();
-  const int tag = wire::tagTerms;
   std::string theirs;
-  if (world.rank() == 0) {
-    // both halves send first: the message must be under way before the wait
-    std::vector<MPI_Request> request(1);
-    PMPI_Isend(myTerms.data(), static_cast<int>(myTerms.size()), MPI_CHAR, world.remoteRanks()[0],
-               tag, world.whole(), &request[0]);
-    theirs = receiveText(world.remoteRanks()[0], tag, forTerms);
-    waitUntil([&] { return allDone(request); }, forTerms);
-  }
-  const std::string mine = fromFirst(myTerms, tag, forTerms);
-  theirs = fromFirst(theirs, tag, forTerms);
-  BothTerms both;
-  try {
-    both.dem = decodeDem(half == Half::dem ? mine : theirs);
-    both.cfd = decodeCfd(half == Half::cfd ? mine : theirs);
-  } catch (const Refusal&) {
-    setStage(Stage::closed);
-    throw;
-  }
-  agree(both.dem, both.cfd);
+  if (world.rank() == 0) theirs = swapped(myTerms, wire::tagTerms, forTerms);
+  const bool dem = half == Half::dem;
+  const BothTerms both = settled(half, dem ? myTerms : theirs, dem ? theirs : myTerms);
   setStage(Stage::coupled);
   return both;
 }
 
-void agree(const DemTerms& dem, const CfdTerms& cfd) {
-  const std::string line = disagreement(dem, cfd);
-  if (line.empty()) return;
-  setStage(Stage::closed);
-  throw Refusal(line);
+void shakeHandsAgain(Half half, const std::string& demTerms, BothTerms& both) {
+  const auto& world = World::instance();
+  std::string dem = demTerms;
+  if (world.rank() == 0) {
+    if (half == Half::dem)
+      sendText(dem, world.remoteRanks()[0], wire::tagTerms, forTerms);
+    else
+      dem = receiveText(world.remoteRanks()[0], wire::tagTerms, forTerms);
+  }
+  both = settled(half, dem, encode(both.cfd));
 }
 
-void sendBoxes(const RankBoxes& mine) {
+void sendBoxes(const RankBoxes& mine, const Box& mesh) {
   const auto& world = World::instance();
   const int tag = wire::tagBoxes;
   if (world.rank() != 0) {
-    sendText(pack(mine), world.localRanks()[0], tag, forBoxes);
+    sendText(wire::encodeBoxes({mine}), world.localRanks()[0], tag, forBoxes);
     return;
   }
-  std::string all = pack(mine);
-  for (int r = 1; r < world.size(); ++r)
-    all += receiveText(world.localRanks()[static_cast<std::size_t>(r)], tag, forBoxes);
-  sendText(all, world.remoteRanks()[0], tag, forBoxes);
-}
-
-std::string shareText(const std::string& text) { return fromFirst(text, wire::tagTerms, forTerms); }
-
-std::string receiveFromOtherHalf(int tag, const char* forWhat) {
-  const auto& world = World::instance();
-  std::string text;
-  if (world.rank() == 0) text = receiveText(world.remoteRanks()[0], tag, forWhat);
-  return fromFirst(text, tag, forWhat);
-}
-
-std::vector<RankBoxes> receiveBoxes() {
-  const std::string text = receiveFromOtherHalf(wire::tagBoxes, forBoxes);
-  std::vector<RankBoxes> all;
-  for (std::size_t at = 0; at < text.size();) {
-    std::size_t n = 0;
-    std::memcpy(&n, text.data() + at, sizeof n);
-    at += sizeof n;
-    all.emplace_back(n);
-    std::memcpy(all.back().data(), text.data() + at, n * sizeof(Box));
-    at += n * sizeof(Box);
+  std::vector<RankBoxes> all{mine};
+  for (int r = 1; r < world.size(); ++r) {
+    const int rank = world.localRanks()[static_cast<std::size_t>(r)];
+    all.push_back(decoded(receiveText(rank, tag, forBoxes), 1, mesh)[0]);
   }
-  return all;
+  sendText(wire::encodeBoxes(all), world.remoteRanks()[0], tag, forBoxes);
+}
+
+std::vector<RankBoxes> receiveBoxes(const Box& mesh) {
+  const auto& world = World::instance();
+  std::string bytes;
+  if (world.rank() == 0) bytes = receiveText(world.remoteRanks()[0], wire::tagBoxes, forBoxes);
+  return decoded(fromFirst(bytes, wire::tagBoxes, forBoxes), world.remoteRanks().size(), mesh);
 }
 
 FieldSet stateFields(const BothTerms& both) {

@@ -18,25 +18,19 @@ struct BothTerms {
 };
 
 /// Exchanges the terms; throws Refusal on every rank when they do not fit. Of
-/// the ranks of a half, the first one's terms count.
+/// the ranks of a half, the first one's terms count. Both halves tell each other what
+/// they make of the terms, so that both refuse them or none, and each then ends by itself.
 BothTerms shakeHands(Half half, const std::string& myTerms);
 
-/// Throws Refusal when the terms do not fit. Both halves come to the same
-/// verdict, so that afterwards each of them ends by itself.
-void agree(const DemTerms&, const CfdTerms&);
+/// The same for a further run, to which the DEM half brings new terms.
+/// \param both  the terms that stood so far; those of the CFD half go on
+void shakeHandsAgain(Half half, const std::string& demTerms, BothTerms& both);
 
 /// CFD half: tells the DEM half every CFD rank's box.
-void sendBoxes(const RankBoxes& mine);
+void sendBoxes(const RankBoxes& mine, const Box& mesh);
 
 /// DEM half: the boxes of the CFD ranks, in their order.
-std::vector<RankBoxes> receiveBoxes();
-
-/// The first rank's text on every rank of this half.
-std::string shareText(const std::string& text);
-
-/// A text of the other half's first rank to every rank of this half. The other
-/// half sends it with sendText() to World::remoteRanks()[0].
-std::string receiveFromOtherHalf(int tag, const char* forWhat);
+std::vector<RankBoxes> receiveBoxes(const Box& mesh);
 
 /// Fields of the state and of the answer.
 FieldSet stateFields(const BothTerms&);

@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #include "exchange/shared.h"
 
+#include "exchange/decode.h"
 #include "exchange/waiting.h"
 #include "exchange/wire.h"
 #include "exchange/world.h"
@@ -35,17 +36,39 @@ void SharedParticles::swap(const std::vector<double>& values, int stride) {
     for (int i : p.particles)
       for (int c = 0; c < stride; ++c)
         p.out.push_back(values[static_cast<std::size_t>(i) * stride + c]);
-    p.in.resize(n);
+    p.out.push_back(wire::seal(p.out.data(), n));
+    p.in.resize(n + 1);
     const int partner = world.localRanks()[static_cast<std::size_t>(rank)];
     MPI_Request request;
-    PMPI_Irecv(p.in.data(), static_cast<int>(n), MPI_DOUBLE, partner, wire::tagShared,
+    PMPI_Irecv(p.in.data(), static_cast<int>(n + 1), MPI_DOUBLE, partner, wire::tagShared,
                world.whole(), &request);
     requests_.push_back(request);
-    PMPI_Isend(p.out.data(), static_cast<int>(n), MPI_DOUBLE, partner, wire::tagShared,
+    PMPI_Isend(p.out.data(), static_cast<int>(n + 1), MPI_DOUBLE, partner, wire::tagShared,
                world.whole(), &request);
     requests_.push_back(request);
   }
-  waitUntil([&] { return allDone(requests_); }, "this half's values of shared particles");
+  statuses_.resize(requests_.size());
+  waitUntil(
+      [&] {
+        int done = 0;
+        PMPI_Testall(static_cast<int>(requests_.size()), requests_.data(), &done, statuses_.data());
+        return done != 0;
+      },
+      "this half's values of shared particles");
+  // a receive and a send each
+  auto status = statuses_.begin();
+  for (const auto& [rank, p] : partners_) {
+    if (p.particles.empty()) continue;
+    int doubles = 0;
+    PMPI_Get_count(&*status, MPI_DOUBLE, &doubles);
+    status += 2;
+    try {
+      wire::checkShared(p.in.data(), doubles, p.in.size() - 1);
+    } catch (const wire::Damaged& damage) {
+      abandon("the values of particles that CFD rank " + std::to_string(rank) +
+              " shares with this one: " + damage.what());
+    }
+  }
 }
 
 void SharedParticles::sum(std::vector<double>& values, int stride) {

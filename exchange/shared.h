@@ -39,6 +39,7 @@ class SharedParticles {
   std::map<int, Partner> partners_;  // by rank in this half; may be idle
   std::vector<int> all_;             // every shared particle here, once
   std::vector<MPI_Request> requests_;
+  std::vector<MPI_Status> statuses_;
 };
 
 }  // namespace clay

@@ -63,6 +63,15 @@ bool coupledRun() {
   return mpiRuns() && World::instance().ready() && World::instance().hasOtherHalf();
 }
 
+// As one line of letters that a terminal can show, not too long
+std::string oneLine(std::string text) {
+  constexpr std::size_t longest = 4000;
+  if (text.size() > longest) text.replace(longest, std::string::npos, " ...");
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  return text;
+}
+
 // Receives a message of shutdown, if there is one
 bool receiveShutdown(std::string& reason) {
   MPI_Comm whole = World::instance().whole();
@@ -75,6 +84,7 @@ bool receiveShutdown(std::string& reason) {
   reason.assign(static_cast<std::size_t>(length), ' ');
   PMPI_Recv(&reason[0], length, MPI_CHAR, status.MPI_SOURCE, wire::tagShutdown, whole,
             MPI_STATUS_IGNORE);
+  reason = oneLine(reason);
   return true;
 }
 
@@ -235,11 +245,25 @@ Stage stage() { return state().stage; }
 void onShutdown(std::function<void(const std::string&)> save) { state().save = std::move(save); }
 
 void checkShutdown() {
-  if (state().ending || !coupledRun()) return;
+  // one that has refused by itself needs nobody's word any more
+  if (state().ending || !coupledRun() || state().stage == Stage::closed) return;
   std::string reason;
   if (!receiveShutdown(reason)) return;
   state().ending = true;
   follow(reason);
+}
+
+void farewell(const std::string& reason) {
+  if (!coupledRun()) return;
+  const auto& world = World::instance();
+  // never freed: the message may still be under way when this half ends
+  auto* text = new std::string(reason);
+  MPI_Request request;
+  PMPI_Isend(text->data(), static_cast<int>(text->size()), MPI_CHAR, world.remoteRanks()[0],
+             wire::tagShutdown, world.whole(), &request);
+  int sent = 0;
+  for (const Deadline limit(deliveryGrace); !sent && !limit.over(); nap())
+    PMPI_Test(&request, &sent, MPI_STATUS_IGNORE);
 }
 
 void beforeFinalize() {

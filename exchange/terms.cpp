@@ -18,7 +18,35 @@ double number(const Json& j) {
   return j.is_null() ? std::numeric_limits<double>::quiet_NaN() : j.get<double>();
 }
 
+// A whole number as it is: one with a fraction or out of range would become another
+template <class Int>
+Int whole(const Json& j) {
+  if (!j.is_number_integer()) throw std::invalid_argument(j.dump() + " is no whole number");
+  if (j.is_number_unsigned() &&
+      j.get<std::uint64_t>() > static_cast<std::uint64_t>(std::numeric_limits<Int>::max()))
+    throw std::invalid_argument(j.dump() + " is too large");
+  const auto n = j.get<std::int64_t>();
+  if (n < std::numeric_limits<Int>::min() || n > std::numeric_limits<Int>::max())
+    throw std::invalid_argument(j.dump() + " is too large");
+  return static_cast<Int>(n);
+}
+
+// A name, which will stand in messages of one line
+std::string word(const Json& j) {
+  auto s = j.get<std::string>();
+  for (char& c : s)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  return s;
+}
+
+template <std::size_t n>
+void checkLength(const Json& j) {
+  if (!j.is_array() || j.size() != n)
+    throw std::invalid_argument(j.dump() + " must have " + std::to_string(n) + " values");
+}
+
 std::array<double, 3> triple(const Json& j) {
+  checkLength<3>(j);
   return {{number(j.at(0)), number(j.at(1)), number(j.at(2))}};
 }
 
@@ -29,6 +57,12 @@ Box box(const Json& j) {
   b.lo = triple(j.at("lo"));
   b.hi = triple(j.at("hi"));
   return b;
+}
+
+template <std::size_t n>
+std::array<bool, n> flags(const Json& j) {
+  checkLength<n>(j);
+  return j.get<std::array<bool, n>>();
 }
 
 FieldSet fields(const Json& j) { return FieldSet::fromNames(j.get<std::vector<std::string>>()); }
@@ -49,8 +83,8 @@ Terms decode(const std::string& s, const char* half, const char* other, Read rea
   const Json j = parse(s, half, other);
   Terms t;
   try {
-    t.wire = j["wire"].get<int>();
-    t.program = j.value("program", "");
+    t.wire = whole<int>(j["wire"]);
+    t.program = j.contains("program") ? word(j["program"]) : "";
     // what another version of the wire holds is not known
     if (t.wire == wireVersion) read(j, t);
   } catch (const std::exception& e) {
@@ -106,19 +140,19 @@ std::string encode(const CfdTerms& t) {
 DemTerms decodeDem(const std::string& s) {
   return decode<DemTerms>(s, "DEM", "CFD", [](const Json& j, DemTerms& t) {
     t.step = number(j.at("step"));
-    t.interval = j.at("interval").get<long>();
+    t.interval = whole<long>(j.at("interval"));
     t.startTime = number(j.at("startTime"));
     t.endTime = number(j.at("endTime"));
     t.gravity = triple(j.at("gravity"));
     t.hasGravity = j.at("hasGravity").get<bool>();
     t.box = box(j.at("box"));
-    t.periodic = j.at("periodic").get<std::array<bool, 3>>();
-    t.particles = j.at("particles").get<long>();
+    t.periodic = flags<3>(j.at("periodic"));
+    t.particles = whole<long>(j.at("particles"));
     t.maxRadius = number(j.at("maxRadius"));
     t.offers = fields(j.at("offers"));
     t.brings = fields(j.at("brings"));
     t.needs = fields(j.at("needs"));
-    t.clumpDrag = j.at("clumpDrag").get<std::string>();
+    t.clumpDrag = word(j.at("clumpDrag"));
   });
 }
 
@@ -129,7 +163,7 @@ CfdTerms decodeCfd(const std::string& s) {
     t.fluidViscosity = number(j.at("fluidViscosity"));
     t.box = box(j.at("box"));
     t.buoyancy = j.at("buoyancy").get<bool>();
-    t.open = j.at("open").get<std::array<bool, 6>>();
+    t.open = flags<6>(j.at("open"));
     t.overlap = j.at("overlap").get<bool>();
     t.needs = fields(j.at("needs"));
     t.accepts = fields(j.at("accepts"));

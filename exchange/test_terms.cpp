@@ -56,16 +56,33 @@ TEST(ParticleList, KeepsWhatItHoldsWhenItGrows) {
   EXPECT_EQ(p.size(), 0);
 }
 
-TEST(ParticleList, FindsTheFirstValueThatIsNotFinite) {
-  Particles p({Field::position, Field::radius});
+TEST(ParticleList, FindsTheFirstValueThatItsFieldCannotHave) {
+  Particles p({Field::position, Field::radius, Field::tag, Field::body, Field::touched});
   p.resize(5);
-  EXPECT_EQ(clay::firstNonFinite(p).particle, -1);
+  EXPECT_EQ(clay::firstAstray(p).particle, -1);
   p[Field::radius][3] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(clay::firstNonFinite(p).particle, 3);
-  EXPECT_EQ(clay::firstNonFinite(p).field, Field::radius);
+  EXPECT_EQ(clay::firstAstray(p).particle, 3);
+  EXPECT_EQ(clay::firstAstray(p).field, Field::radius);
   p[Field::position][3 * 2 + 1] = std::nan("");
-  EXPECT_EQ(clay::firstNonFinite(p).particle, 2);
-  EXPECT_EQ(clay::firstNonFinite(p).field, Field::position);
+  EXPECT_EQ(clay::firstAstray(p).particle, 2);
+  EXPECT_EQ(clay::firstAstray(p).field, Field::position);
+  EXPECT_EQ(clay::describe(clay::firstAstray(p), p, p),
+            "particle 0 at (0 nan 0) m: position is (0 nan 0)");
+
+  const double sound[] = {1e99, 0, 2147483647, -1, 1};
+  const Field fields[] = {Field::position, Field::radius, Field::tag, Field::body, Field::touched};
+  const std::vector<double> unsound[] = {
+      {-1e100, 1e300}, {-1e-300}, {-1, 0.5, 2147483648., 1e18}, {-2, 0.5, 1e18}, {2, -1, 0.5}};
+  for (int k = 0; k < 5; ++k) {
+    Particles q({fields[k]});
+    q.resize(2);
+    q[fields[k]][0] = sound[k];
+    EXPECT_EQ(clay::firstAstray(q).particle, -1) << clay::name(fields[k]);
+    for (double x : unsound[k]) {
+      q[fields[k]][0] = x;
+      EXPECT_EQ(clay::firstAstray(q).particle, 0) << clay::name(fields[k]) << ' ' << x;
+    }
+  }
 }
 
 // Places come first, then each field of those that are owned, then the room.

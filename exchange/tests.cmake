@@ -13,6 +13,31 @@ target_link_libraries(test_terms PRIVATE clay_exchange GTest::gtest_main)
 gtest_add_tests(TARGET test_terms TEST_PREFIX exchange. TEST_LIST terms_tests)
 set_tests_properties(${terms_tests} PROPERTIES TIMEOUT 20)
 
+# damaged messages, by the decoders alone
+add_executable(test_decode test_decode.cpp)
+target_link_libraries(test_decode PRIVATE clay_exchange GTest::gtest_main)
+add_test(NAME exchange.decode COMMAND test_decode)
+set_tests_properties(exchange.decode PROPERTIES TIMEOUT 20)
+
+# the same decoders under libFuzzer: whatever bytes come in, they refuse or decode
+if(CLAYFOAM_FUZZ)
+  find_program(CLAYFOAM_CLANGXX NAMES clang++ clang++-14)
+  if(CLAYFOAM_CLANGXX)
+    set(fuzz_decode ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/fuzz_decode)
+    set(decoders fuzz_decode.cpp decode.cpp packing.cpp fields.cpp terms.cpp agreement.cpp)
+    list(TRANSFORM decoders PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+    file(GLOB exchange_headers ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+    add_custom_command(OUTPUT ${fuzz_decode} DEPENDS ${decoders} ${exchange_headers}
+      COMMAND ${CLAYFOAM_CLANGXX} -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined
+        -fsanitize=float-cast-overflow -fno-sanitize-recover=all -I${PROJECT_SOURCE_DIR}
+        ${decoders} -o ${fuzz_decode})
+    add_custom_target(fuzz_decode_program ALL DEPENDS ${fuzz_decode})
+    add_test(NAME exchange.fuzz
+      COMMAND ${fuzz_decode} -max_total_time=10 -max_len=4096 -print_final_stats=0)
+    set_tests_properties(exchange.fuzz PROPERTIES TIMEOUT 60)
+  endif()
+endif()
+
 # particles that several ranks hold
 add_executable(test_shared test_shared.cpp)
 target_link_libraries(test_shared PRIVATE clay_world clay_exchange GTest::gtest)
@@ -23,8 +48,8 @@ set_tests_properties(exchange.shared PROPERTIES
 
 # the two programs of the test runs
 foreach(half test_dem_half test_cfd_half)
-  add_executable(${half} ${half}.cpp)
-  target_link_libraries(${half} PRIVATE clay_world clay_exchange)
+  add_executable(${half} ${half}.cpp test_damage.cpp)
+  target_link_libraries(${half} PRIVATE clay_world clay_exchange ${CMAKE_DL_LIBS})
 endforeach()
 
 # a program that splits the world by itself has no wrappers
@@ -32,13 +57,19 @@ add_executable(test_adopt_half test_adopt_half.cpp)
 target_link_libraries(test_adopt_half PRIVATE clay_exchange)
 
 add_executable(test_runs test_runs.cpp)
-target_link_libraries(test_runs PRIVATE GTest::gtest_main)
+add_executable(test_damage_runs test_damage_runs.cpp)
 list(JOIN CLAYFOAM_MPI_ENVIRONMENT " " mpi_environment)
-target_compile_definitions(test_runs PRIVATE
-  MPIRUN="env ${mpi_environment} ${MPIEXEC_EXECUTABLE}"
-  ADOPT_HALF="$<TARGET_FILE:test_adopt_half>"
-  DEM_HALF="$<TARGET_FILE:test_dem_half>" CFD_HALF="$<TARGET_FILE:test_cfd_half>")
-add_dependencies(test_runs test_dem_half test_cfd_half test_adopt_half)
+foreach(runs test_runs test_damage_runs)
+  target_include_directories(${runs} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${runs} PRIVATE GTest::gtest_main)
+  target_compile_definitions(${runs} PRIVATE
+    MPIRUN="env ${mpi_environment} ${MPIEXEC_EXECUTABLE}"
+    ADOPT_HALF="$<TARGET_FILE:test_adopt_half>"
+    DEM_HALF="$<TARGET_FILE:test_dem_half>" CFD_HALF="$<TARGET_FILE:test_cfd_half>")
+  add_dependencies(${runs} test_dem_half test_cfd_half test_adopt_half)
+endforeach()
+add_test(NAME exchange.damage_runs COMMAND test_damage_runs)
+set_tests_properties(exchange.damage_runs PROPERTIES TIMEOUT 600 RUN_SERIAL ON)
 gtest_add_tests(TARGET test_runs TEST_PREFIX exchange. TEST_LIST run_tests)
 set_tests_properties(${run_tests} PROPERTIES
   TIMEOUT 60 RUN_SERIAL ON)

@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "exchange/shutdown.h"
+#include "exchange/wire.h"
 #include "exchange/world.h"
 
 namespace clay {
@@ -64,6 +65,46 @@ double findSilenceLimit() {
   return limit;
 }
 
+// May a message of that tag come to a rank of that half, from its own or the other one
+bool known(int tag, Half here, bool ofThisHalf) {
+  switch (tag) {
+    case wire::tagTerms:
+    case wire::tagVerdict:
+    case wire::tagShutdown:
+      return true;
+    case wire::tagBoxes:
+      return here == Half::dem || ofThisHalf;
+    case wire::tagAnswer:
+      return here == Half::dem && !ofThisHalf;
+    case wire::tagHeader:
+    case wire::tagState:
+      return here == Half::cfd && !ofThisHalf;
+    case wire::tagShared:
+      return here == Half::cfd && ofThisHalf;
+    case wire::tagSpeaks:
+    case wire::tagSaved:
+      return ofThisHalf;
+    default:
+      return false;
+  }
+}
+
+// Ends both halves when a message lies here that nobody will ever take
+void endOnStray() {
+  const auto& world = World::instance();
+  if (!world.wrapped() || !world.hasOtherHalf()) return;
+  int there = 0;
+  MPI_Status status;
+  PMPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, world.whole(), &there, &status);
+  if (!there) return;
+  const auto& local = world.localRanks();
+  const bool mine = std::find(local.begin(), local.end(), status.MPI_SOURCE) != local.end();
+  if (known(status.MPI_TAG, world.which(), mine)) return;
+  const Half other = world.which() == Half::dem ? Half::cfd : Half::dem;
+  abandon("a message with tag " + std::to_string(status.MPI_TAG) + " came from the " +
+          name(mine ? world.which() : other) + " half, which is none of the exchange's");
+}
+
 }  // namespace
 
 bool oversubscribed() {
@@ -96,6 +137,10 @@ void Backoff::pause() {
   if (!spin || ++pauses_ % 16 == 0) checkShutdown();
   if (spin) return;
   endOnSilence(time, forWhat_);
+  if (time > nextLook_) {
+    endOnStray();
+    nextLook_ = time + 0.5;
+  }
   sleepFor(std::clamp(time * sleepPart, shortestSleep, longestSleep));
 }
 

@@ -30,6 +30,7 @@ class Backoff {
   const char* forWhat_;
   std::chrono::steady_clock::time_point start_;
   int pauses_ = 0;
+  double nextLook_ = 0.5;  // for messages that nobody takes [s]
 };
 
 /// More ranks than cores on this node: waiting must give the core away at once.

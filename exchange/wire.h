@@ -17,11 +17,13 @@ enum Tag : int {
   tagShared,        ///< among CFD ranks: values of shared particles
   tagShutdown,      ///< this half ends before the coupled run does; why
   tagSpeaks,        ///< the first rank of this half says why it ends, for all
-  tagSaved          ///< this rank has saved its state, before it shuts down
+  tagSaved,         ///< this rank has saved its state, before it shuts down
+  tagVerdict        ///< what a half makes of the terms, root to root, then root to its half
 };
 
-/// Doubles at the end of an answer: the reported figure, and whether it came late.
-constexpr int answerEnd = 2;
+/// Doubles at the end of an answer: the reported figure, whether it came late, the
+/// number of the exchange, the seal of all before it.
+constexpr int answerEnd = 4;
 
 /// What a header announces.
 enum class Kind : int { state = 1, resume = 2, close = 3 };
@@ -36,8 +38,10 @@ struct Header {
   double count = 0;               ///< particles that follow
   double shares = 0;              ///< doubles of the list of sharers that follow
   double impulse[3] = {0, 0, 0};  ///< given to this rank's particles so far [N s]
+  double stateSeal = 0;           ///< of the message that follows, 0 when none does
+  double seal = 0;                ///< of this header's other doubles
 
-  static constexpr int doubles = 10;
+  static constexpr int doubles = 12;
 };
 static_assert(sizeof(Header) == Header::doubles * sizeof(double), "no padding");
 

@@ -22,6 +22,23 @@ constexpr int splitTimeout = 60;
   endAll(1);
 }
 
+// What MPI finds wrong with a message, as one that is longer than its place
+void onMpiError(MPI_Comm*, int* code, ...) {
+  char text[MPI_MAX_ERROR_STRING] = "";
+  int length = 0;
+  PMPI_Error_string(*code, text, &length);
+  abandon(std::string("a message between the halves cannot be taken in: ") + text);
+}
+
+// A host that has its own way with errors of MPI_COMM_WORLD keeps it
+void hearOfErrors(MPI_Comm whole) {
+  MPI_Errhandler present, mine;
+  PMPI_Comm_get_errhandler(whole, &present);
+  if (present != MPI_ERRORS_ARE_FATAL) return;
+  PMPI_Comm_create_errhandler(onMpiError, &mine);
+  PMPI_Comm_set_errhandler(whole, mine);
+}
+
 // The halves of all ranks. A program that is no half of a coupled run never
 // answers: it must not be waited for for ever.
 std::vector<int> gatherHalves(Half mine, int ranks) {
@@ -35,7 +52,7 @@ std::vector<int> gatherHalves(Half mine, int ranks) {
     if (done) return halves;
     if (tests > 100) std::this_thread::sleep_for(std::chrono::microseconds(100));
     if (std::chrono::steady_clock::now() - start > std::chrono::seconds(splitTimeout))
-      refuse("a program of this mpirun is no half of a coupled run");
+      refuse("a program of this mpirun is no half of a coupled run, or it is stopped");
   }
 }
 
@@ -78,6 +95,7 @@ void World::split(Half mine) {
     PMPI_Group_free(&group);
     PMPI_Group_free(&all);
   }
+  wrapped_ = true;
   setHalf(half, mine);
 }
 
@@ -108,7 +126,9 @@ void World::setHalf(MPI_Comm half, Half which) {
   for (int r = 0; r < ranks; ++r)
     if (!std::binary_search(sorted.begin(), sorted.end(), r)) remoteRanks_.push_back(r);
   ready_ = true;
-  if (hasOtherHalf()) watchExit(false);
+  if (!hasOtherHalf()) return;
+  hearOfErrors(whole_);
+  watchExit(false);
 }
 
 }  // namespace clay

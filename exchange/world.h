@@ -69,6 +69,10 @@ class World {
   /// True once split() or adopt() was called.
   bool ready() const { return ready_; }
 
+  /// True when whole() carries the exchange's messages and no others: the host's stay in
+  /// its half, by the wrappers.
+  bool wrapped() const { return wrapped_; }
+
  private:
   World() = default;
   void setHalf(MPI_Comm half, Half which);
@@ -78,7 +82,7 @@ class World {
   Half which_ = Half::dem;
   int rank_ = 0, size_ = 1;
   std::vector<int> remoteRanks_, localRanks_;
-  bool ready_ = false;
+  bool ready_ = false, wrapped_ = false;
 };
 
 /// Ends both halves now with a non-zero exit and one line that says why. The

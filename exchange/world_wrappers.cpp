@@ -4,6 +4,7 @@
 /// takes a communicator means the half where the host says MPI_COMM_WORLD. Here:
 /// start and end, messages, communicators; see also world_wrappers_groups.cpp.
 #include "exchange/shutdown.h"
+#include "exchange/start_watch.h"
 #include "exchange/world_wrappers.h"
 
 using clay::confined;
@@ -11,12 +12,14 @@ using clay::confined;
 // ---- start and end
 
 extern "C" int MPI_Init(int* argc, char*** argv) {
+  const clay::StartWatch watch;
   const int status = PMPI_Init(argc, argv);
   clay::World::instance().split(clay::programHalf);
   return status;
 }
 
 extern "C" int MPI_Init_thread(int* argc, char*** argv, int required, int* provided) {
+  const clay::StartWatch watch;
   const int status = PMPI_Init_thread(argc, argv, required, provided);
   clay::World::instance().split(clay::programHalf);
   return status;

@@ -77,26 +77,12 @@ struct CfdSession::Impl {
     return done != 0;
   }
 
-  void endOnUnannounced();
   void checkHeaders();
   void receiveStates();
   void takeState(Particles& particles);
   void unpack(Particles& particles);
   void pack(const Particles& answers, const std::vector<char>& owned, RemoteRank& remote);
 };
-
-// A state lies here whose announcement has not come, though it goes ahead of it: a second
-// one, whose sender waits for it to be taken
-void CfdSession::Impl::endOnUnannounced() {
-  const auto& world = World::instance();
-  for (std::size_t p = 0; p < headers.size(); ++p) {
-    int there = 0, announced = 1;
-    PMPI_Iprobe(world.remoteRanks()[p], wire::tagState, world.whole(), &there, MPI_STATUS_IGNORE);
-    if (there) PMPI_Request_get_status(headers[p], &announced, MPI_STATUS_IGNORE);
-    if (!announced)
-      abandon("DEM rank " + std::to_string(p) + " sent a state that it has not announced");
-  }
-}
 
 void CfdSession::Impl::checkHeaders() {
   const auto& dem = terms.dem;
@@ -230,13 +216,7 @@ CfdSession::Event CfdSession::next(Particles& particles) {
   auto& s = *impl_;
   if (s.closeReceived) return Event::closed;
   const double start = now(), idle = s.timing.waiting;
-  long tests = 0;
-  const auto here = [&] {
-    if (s.headersIn() && allDone(s.out)) return true;
-    if (++tests % 1000 == 0) s.endOnUnannounced();
-    return false;
-  };
-  waitUntil(here, forState, &s.timing.waiting);
+  waitUntil([&] { return s.headersIn() && allDone(s.out); }, forState, &s.timing.waiting);
   s.checkHeaders();
   const Header h = s.remotes[0].announced;
   Event event = Event::state;

@@ -30,6 +30,7 @@ struct State {
   bool watching = false, mayFinalize = false;
   std::atomic<bool> ending{false};
   std::function<void(const std::string&)> save;
+  std::string explained;
 };
 
 State& state() {
@@ -191,9 +192,15 @@ bool firstRankSpeaks() {
   return speaks != 0;
 }
 
+std::string explained() {
+  return state().explained.empty() ? "" : ": " + oneLine(state().explained);
+}
+
 std::string tooEarly() {
-  return programName() + (state().stage == Stage::uncoupled ? " ended without ever coupling"
-                                                            : " ended before the coupled run did");
+  return programName() +
+         (state().stage == Stage::uncoupled ? " ended without ever coupling"
+                                            : " ended before the coupled run did") +
+         explained();
 }
 
 void atExit() {
@@ -253,6 +260,8 @@ void checkShutdown() {
   follow(reason);
 }
 
+void explainEnd(const std::string& reason) { state().explained = reason; }
+
 void farewell(const std::string& reason) {
   if (!coupledRun()) return;
   const auto& world = World::instance();
@@ -285,7 +294,8 @@ void beforeFinalize() {
 
 void abortBoth(int code) {
   if (!state().ending.exchange(true))
-    tellAndWait(programName() + " called MPI_Abort with code " + std::to_string(code));
+    tellAndWait(programName() + " called MPI_Abort with code " + std::to_string(code) +
+                explained());
   endAll(code);
 }
 

@@ -99,6 +99,11 @@ inline void dieAs(const std::string& scenario, const std::string& half) {
     MPI_Finalize();
     std::exit(0);
   }
+  if (way == "explained") {
+    clay::explainEnd("no cheese\nat all");
+    MPI_Finalize();
+    std::exit(1);
+  }
   if (way == "error") {  // as LIGGGHTS does
     MPI_Finalize();
     std::exit(1);

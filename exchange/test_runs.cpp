@@ -200,6 +200,26 @@ TEST(Ends, WhenAHalfIsSilentTooLong) {
   expectEnd(run("before:dem:sleep", 1, 1, limit), "for the other half's terms; CLAYFOAM_TIMEOUT");
 }
 
+// One that is stopped before MPI_Init, never calls it, or has gone: MPI itself would wait for ever
+TEST(Ends, WhenAProgramDoesNotStartMpi) {
+  for (const char* other : {"kill -STOP $$", "sleep 40", "true"}) {
+    const Outcome o = shell(std::string("env CLAYFOAM_TIMEOUT=2 ") + MPIRUN + " -np 1 sh -c '" +
+                            other + "' : " + part(CFD_HALF, "echo", 1));
+    EXPECT_NE(o.code, 0) << other << o.text;
+    EXPECT_LT(o.seconds, 20) << other << o.text;
+    EXPECT_TRUE(o.says("test_cfd_half: waited 2 s for all programs of this mpirun to start MPI"))
+        << other << o.text;
+  }
+}
+
+// The reason that a program gives goes along
+TEST(Ends, WithTheReasonThatWasExplained) {
+  expectEnd(run("before:dem:explained", 1, 2),
+            cfdStops + "test_dem_half ended without ever coupling: no cheese at all");
+  expectEnd(run("cfd:explained", 1, 1),
+            demStops + "test_cfd_half ended before the coupled run did: no cheese at all");
+}
+
 TEST(Ends, WhenTheTimeLimitIsNoNumber) {
   expectEnd(run("echo", 1, 1, "CLAYFOAM_TIMEOUT=soon"),
             "CLAYFOAM_TIMEOUT is 'soon'; it must be a number of seconds above 0");

@@ -89,6 +89,10 @@ class World {
 /// other half is told first, and has a few seconds to save its state.
 [[noreturn]] void abandon(const std::string& reason);
 
+/// Why this program is about to end by MPI_Finalize, MPI_Abort or exit(): what the other
+/// half is told when the coupled run is not over.
+void explainEnd(const std::string& reason);
+
 /// What the host does on every rank when the other half has ended too early,
 /// before this half ends as well: saving its state, for one. It has 5 s.
 void onShutdown(std::function<void(const std::string& reason)> save);

@@ -17,6 +17,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <iostream>
+#include <stdexcept>
 #include <thread>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -74,9 +75,9 @@ void Foam::startUp::readArguments()
 {
     if (foamVersion::api != OPENFOAM)
     {
-        throw clay::Refusal
+        throw std::runtime_error
         (
-            "built for OpenFOAM v" + std::to_string(OPENFOAM)
+            "refused: built for OpenFOAM v" + std::to_string(OPENFOAM)
           + ", but the library that runs is v"
           + std::to_string(foamVersion::api)
         );
@@ -95,7 +96,10 @@ void Foam::startUp::readArguments()
 
     if (!args_->checkRootCase())
     {
-        throw clay::Refusal("no case at " + std::string(args_->path()));
+        throw std::runtime_error
+        (
+            "refused: no case at " + std::string(args_->path())
+        );
     }
 }
 

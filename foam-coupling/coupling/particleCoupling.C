@@ -140,7 +140,15 @@ Foam::particleCoupling::particleCoupling
         zeroGradientFvPatchVectorField::typeName
     ),
     gradPSet_(savedField<volVectorField>(mesh_, "gradp")),
-    mark_(stateMark(mesh_)),
+    mark_
+    (
+        stateMark
+        (
+            mesh_,
+            forces_.addedDensity() > 0
+          ? wordList({"DUDt", "particleForceSent"}) : wordList()
+        )
+    ),
     stressFraction_
     (
         IOobject("stressFraction", mesh_.time().timeName(), mesh_),
@@ -159,6 +167,7 @@ Foam::particleCoupling::particleCoupling
     late_(false)
 {
     properties_.checkMesh(mesh_);
+    checkSavedState(mesh_);
 
     if (!law_.newtonian() && properties_.get<word>("selfDisturbance") != "none")
     {

@@ -2,8 +2,24 @@
 
 #include "savedState.H"
 
+#include "IFstream.H"
 #include "OSspecific.H"
+#include "PstreamReduceOps.H"
 #include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- What every run goes on with
+static const wordList stateParts
+({
+    "U", "p", "phi", "voidfraction", "gradp", "couplingImpulse"
+});
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * Other Functions * * * * * * * * * * * * * * //
 
@@ -16,13 +32,58 @@ bool Foam::isSavedState(const fvMesh& mesh)
 }
 
 
+void Foam::checkSavedState(const fvMesh& mesh)
+{
+    if (!isSavedState(mesh))
+    {
+        return;
+    }
+    const fileName folder(mesh.time().timePath());
+    IFstream is(folder/"uniform"/"couplingState");
+    wordList parts
+    (
+        dictionary(is).lookupOrDefault<wordList>("parts", stateParts)
+    );
+    // all ranks look for the same
+    Pstream::scatter(parts);
+
+    wordList missing;
+    for (const word& part : parts)
+    {
+        const bool here = isFile(folder/part);
+        if (!returnReduce(here, andOp<bool>()))
+        {
+            missing.append(part);
+        }
+    }
+    if (missing.size())
+    {
+        string names;
+        for (const word& part : missing)
+        {
+            names += (names.empty() ? "" : ", ") + part;
+        }
+        FatalErrorInFunction
+            << "the saved state of time " << mesh.time().timeName()
+            << " lacks " << names.c_str() << ", of the parts that"
+            << " uniform/couplingState lists; bring them back, or take"
+            << " uniform/couplingState away to start from U and p alone"
+            << exit(FatalError);
+    }
+}
+
+
 Foam::IOobject::readOption Foam::readState(const fvMesh& mesh)
 {
     return isSavedState(mesh) ? IOobject::READ_IF_PRESENT : IOobject::NO_READ;
 }
 
 
-Foam::autoPtr<Foam::IOdictionary> Foam::stateMark(const fvMesh& mesh)
+Foam::autoPtr<Foam::IOdictionary> Foam::stateMark
+(
+    const fvMesh& mesh,
+    const wordList& more
+)
 {
     auto mark = autoPtr<IOdictionary>::New
     (
@@ -37,6 +98,9 @@ Foam::autoPtr<Foam::IOdictionary> Foam::stateMark(const fvMesh& mesh)
         )
     );
     mark->add("writtenBy", word("clayFoam"));
+    wordList parts(stateParts);
+    parts.append(more);
+    mark->add("parts", parts);
     return mark;
 }
 

@@ -18,6 +18,7 @@
 #include "fix_multisphere.h"
 #include "neighbor.h"
 #include "update.h"
+#include "simd/cell_index.h"
 
 using namespace LAMMPS_NS;
 
@@ -84,7 +85,7 @@ void PairCoulClump::lay_out()
     const int body = multisphere_ ? std::max(-1, multisphere_->belongs_to(i)) : -1;
     Place p = {body, {0, 0, 0}, i >= atom->nlocal, i};
     if (body < 0)
-      for (int d = 0; d < 3; d++) p.cell[d] = static_cast<int>(floor(3.0 * x[i][d] / law_.cutoff));
+      for (int d = 0; d < 3; d++) p.cell[d] = clay::cell_number(floor(3.0 * x[i][d] / law_.cutoff));
     places.push_back(p);
   }
   std::sort(places.begin(), places.end());
@@ -98,7 +99,7 @@ void PairCoulClump::lay_out()
     for (int d = 0; d < 3; d++)
       if (domain->periodicity[d]) {
         const double away = x[places[k].atom][d] - x[places[first].atom][d];
-        places[k].cell[d] = static_cast<int>(lround(away / domain->prd[d]));
+        places[k].cell[d] = clay::cell_number(std::round(away / domain->prd[d]));
         periodic = true;
       }
   }

@@ -132,6 +132,7 @@ void CouplingReport::exchange(const clay::DemSession &session, bool last)
 {
   measure_overlap();
   overlap_ = std::max(overlap_, now_.depth);
+  if (logfile) fflush(logfile);  // one that is ended from outside keeps its lines
   if (seconds_ <= 0.) return;
   // every rank must come to the same decision: the first rank's clock counts
   int due = last || MPI_Wtime() - last_line_ >= seconds_;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 
 #include "coupling/stop_signals.h"
@@ -70,6 +71,8 @@ void handle_signals()
 int main(int argc, char **argv)
 {
   std::signal(SIGINT, SIG_DFL);  // also where a shell has a background job ignore it
+  // one that is ended from outside keeps its lines
+  setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   MPI_Init(&argc, &argv);
   coupled = clay::World::instance().hasOtherHalf();
   handle_signals();

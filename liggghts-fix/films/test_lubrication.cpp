@@ -6,6 +6,7 @@
 
 #include "films/lubrication_law.h"
 #include "films/lubrication_step.h"
+#include "simd/cell_index.h"
 #include "simd/near_pairs.h"
 
 using namespace clay;
@@ -265,4 +266,34 @@ TEST(NearPairs, allOfThem)
   std::sort(found.begin(), found.end());
   ASSERT_GT(wanted.size(), 100u);
   EXPECT_EQ(found, wanted);
+}
+
+// A point that is no number is near to none, and hides no other pair; one that is far does not
+// make more cells than there is memory for
+TEST(NearPairs, beyondAllNumbers)
+{
+  for (double odd : {std::nan(""), HUGE_VAL, 1e300, -1e300, 1e120})
+    for (int where : {0, 2}) {
+      double place[4][3] = {{0, 0, 0}, {0.1, 0, 0}, {3, 1, 2}, {3.1, 1, 2}};
+      place[where][1] = odd;
+      double *x[4] = {place[0], place[1], place[2], place[3]};
+      const double reach[4] = {0.06, 0.06, 0.06, 0.06};
+      std::vector<std::pair<int, int>> found;
+      near_pairs(x, reach, 4, 4, found);
+      const std::pair<int, int> left = where ? std::make_pair(0, 1) : std::make_pair(2, 3);
+      EXPECT_EQ(found, std::vector<std::pair<int, int>>{left}) << odd << ' ' << where;
+    }
+}
+
+TEST(CellIndex, liesAmongTheCells)
+{
+  EXPECT_EQ(cell_index(2.9, 5), 2);
+  EXPECT_EQ(cell_index(-1, 5), 0);
+  EXPECT_EQ(cell_index(5, 5), 4);
+  EXPECT_EQ(cell_index(1e300, 5), 4);
+  EXPECT_EQ(cell_index(std::nan(""), 5), 0);
+  EXPECT_EQ(cell_number(-7), -7);
+  EXPECT_EQ(cell_number(1e300), 1 << 30);
+  EXPECT_EQ(cell_number(-1e300), -(1 << 30));
+  EXPECT_EQ(cell_number(std::nan("")), 0);
 }

@@ -32,6 +32,14 @@ using namespace FixConst;
 
 /* ---------------------------------------------------------------------- */
 
+namespace {
+
+const double farthest = 1e100;  // (m); beyond it, a computation went wrong
+
+}
+
+/* ---------------------------------------------------------------------- */
+
 FixSettlingCurve::FixSettlingCurve(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), file_(NULL), scale_(9.49e5), quantile_(0.98), bed_fraction_(0.2), area_(0.0), bottom_(0.0),
   area_given_(false), bottom_given_(false), multisphere_(NULL), diameter_(0.0), measured_(-1), written_(-1),
@@ -176,12 +184,29 @@ void FixSettlingCurve::end_of_step()
   write_row();
 }
 
+/* ----------------------------------------------------------------------
+   a sphere whose height is no number: the curve would hide it
+------------------------------------------------------------------------- */
+
+void FixSettlingCurve::stop(int i)
+{
+  const double *x = atom->x[i], *v = atom->v[i];
+  char text[512];
+  snprintf(text, sizeof text,
+           "Fix settling/curve: particle %d is NaN or far away at step " BIGINT_FORMAT
+           " (%g s): position (%g %g %g) m, velocity (%g %g %g) m/s; a smaller timestep, a stiffer contact or a "
+           "shorter coupling interval may help",
+           atom->tag[i], update->ntimestep, update->get_cur_time(), x[0], x[1], x[2], v[0], v[1], v[2]);
+  error->one(FLERR, text);
+}
+
 void FixSettlingCurve::measure()
 {
   measured_ = update->ntimestep;
   profile_->clear();
   for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) profile_->add(atom->x[i][2], atom->radius[i], sphere_volume(i));
+    if (!(std::fabs(atom->x[i][2]) < farthest)) stop(i);
+    else if (atom->mask[i] & groupbit) profile_->add(atom->x[i][2], atom->radius[i], sphere_volume(i));
   std::vector<double> &sums = profile_->sums();
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM, world);
 

@@ -39,6 +39,7 @@ class FixSettlingCurve : public Fix {
  private:
   void parse(int narg, char **arg, bool &append);
   void find_column();
+  void stop(int i);
   void measure();
   void write_row();
   double largest_overlap() const;

@@ -29,7 +29,10 @@ void SettlingProfile::clear() { std::fill(sums_.begin(), sums_.end(), 0.0); }
 void SettlingProfile::add(double z, double r, double volume)
 {
   sums_.back() += volume * z;
-  const auto bin = [this](double h) { return static_cast<int>(std::clamp((h - lo_) * per_width_, 0.0, bins() - 1.0)); };
+  const auto bin = [this](double h) {
+    const double at = (h - lo_) * per_width_;
+    return at > 0 ? static_cast<int>(std::min(at, bins() - 1.0)) : 0;  // the first for NaN, too
+  };
   const int first = bin(z - r), last = bin(z + r);
   const double per_radius = 1 / r;
   double before = 0;
@@ -67,7 +70,7 @@ double SettlingProfile::interface(double q, double radius, double width) const
 
 double SettlingProfile::below(double height) const
 {
-  const double at = std::clamp((height - lo_) / width_, 0.0, double(bins()));
+  const double place = (height - lo_) / width_, at = place > 0 ? std::min(place, double(bins())) : 0.0;
   const int k = std::min(bins() - 1, static_cast<int>(at));
   return cumulated_[k] + (at - k) * sums_[k];
 }

@@ -92,3 +92,20 @@ TEST(SettlingProfile, solidsOutsideCountAtTheEnds)
   p.add(0.1005, 1e-3, 1.0);
   EXPECT_NEAR(p.volume(), 2.0, 1e-12);
 }
+
+// The first slice for what is no number, the last for what is far: no index from a cast of it
+TEST(SettlingProfile, takesAnyNumber)
+{
+  for (double z : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300, -1e300}) {
+    SettlingProfile p(0, 1, 0.01);
+    p.add(z, 0.1, 1);
+    p.add(0.5, 0.1, 2);
+    EXPECT_EQ(p.sums().size(), 101u);
+    p.quantile(0.5);
+    p.interface(0.98, 0.1);
+    p.bed(1, 0.2, 0.1);
+  }
+  SettlingProfile p(0, 1, 0.01);
+  p.add(1e300, 0.1, 1);
+  EXPECT_EQ(p.sums()[99], 1);
+}

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simd/cell_index.h"
+
 namespace clay {
 
 void near_pairs(const double *const *x, const double *reach, int owned, int n, std::vector<std::pair<int, int>> &pairs)
@@ -24,8 +26,10 @@ void near_pairs(const double *const *x, const double *reach, int owned, int n, s
   const double volume = (hi[0] - lo[0] + size) * (hi[1] - lo[1] + size) * (hi[2] - lo[2] + size);
   size = std::max(size, std::cbrt(volume / (8.0 * n)));
   int cells[3];
-  for (int k = 0; k < 3; k++) cells[k] = static_cast<int>((hi[k] - lo[k]) / size) + 1;
-  const auto cell = [&](int i, int k) { return std::min(cells[k] - 1, static_cast<int>((x[i][k] - lo[k]) / size)); };
+  // of points that are no numbers or far away any cells will do, but few
+  const bool sound = std::isfinite(volume);
+  for (int k = 0; k < 3; k++) cells[k] = sound ? cell_index((hi[k] - lo[k]) / size, 8 * n) + 1 : 1;
+  const auto cell = [&](int i, int k) { return cell_index((x[i][k] - lo[k]) / size, cells[k]); };
 
   std::vector<int> first(static_cast<std::size_t>(cells[0]) * cells[1] * cells[2], -1), next(n);
   for (int i = n - 1; i >= 0; i--) {

@@ -3,6 +3,8 @@
 // cut in two gives what one run gives.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 
@@ -116,6 +118,54 @@ TEST(Failure, AMissingCaseIsNamed) {
   EXPECT_TRUE(run.says("Cannot find file \"points\" in directory \"polyMesh\"")) << run.log();
 }
 
+namespace {
+
+/// One thing that keeps the CFD half from its first exchange.
+struct Start {
+  const char* name;
+  const char* file;  ///< of the case
+  const char* from;  ///< text of it, replaced; null: the file is taken away
+  const char* to;
+};
+
+class Starting : public testing::TestWithParam<Start> {};
+
+}  // namespace
+
+// The half that waits hears why, and both end
+TEST_P(Starting, IsHeardByTheOtherHalf) {
+  const auto& p = GetParam();
+  auto run = column(std::string("start-") + p.name);
+  run.mesh();
+  if (p.from)
+    run.edit(p.file, p.from, p.to);
+  else
+    std::filesystem::remove_all(run.path() / p.file);
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_NE(run.run(), 0);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  EXPECT_LT(time.count(), 30) << run.log();
+  EXPECT_TRUE(says(run, "standInDem: stopped: the CFD half ended: ")) << run.log();
+  EXPECT_TRUE(says(run, "clayFoam: ")) << run.log();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Starting,
+    testing::Values(Start{"no-mesh", "constant/polyMesh", nullptr, nullptr},
+                    Start{"no-controls", "system/controlDict", nullptr, nullptr},
+                    Start{"torn-controls", "system/controlDict", "startTime", "{ startTime"},
+                    Start{"no-solution", "system/fvSolution", nullptr, nullptr},
+                    Start{"no-schemes", "system/fvSchemes", nullptr, nullptr},
+                    Start{"no-U", "0/U", nullptr, nullptr},
+                    Start{"odd-U", "0/U", "dimensions", "dimension"},
+                    Start{"no-transport", "constant/transportProperties", nullptr, nullptr},
+                    Start{"no-case", "system", nullptr, nullptr}),
+    [](const auto& info) {
+      std::string name = info.param.name;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
+
 TEST(Report, HoldsSettingsAndDefaults) {
   auto run = smallColumn("report");
   run.properties("voidFractionMin 0.3;");
@@ -176,6 +226,30 @@ TEST(Restart, GoesOnAsIfItHadNotStopped) {
   const auto U = parts.meanOfField("U"), V = whole.meanOfField("U");
   EXPECT_NEAR(U[2], V[2], 1e-10 * std::fabs(whole.lastVelocity()));
   EXPECT_LT(parts.cfd()["max_momentum_residual"], 1e-10);
+}
+
+// Each part in turn: without it the run would go on from something else
+TEST(Restart, NeedsEveryPartOfTheState) {
+  auto run = column("state-parts");
+  const std::string state = (run.path() / "spheres").string();
+  run.properties("forceModels (buoyancy pressureGradient addedMass);").dem("save", state);
+  ASSERT_EQ(run.meshAndRun(), 0) << run.log();
+  run.dem("load", state).dem("start", 0.002);
+  const auto folder = run.path() / "0.002", aside = run.path() / "aside";
+  for (const char* part :
+       {"phi", "voidfraction", "gradp", "couplingImpulse", "DUDt", "particleForceSent"}) {
+    ASSERT_TRUE(std::filesystem::exists(folder / part)) << part;
+    std::filesystem::rename(folder / part, aside);
+    ASSERT_NE(run.run(), 0) << part;
+    EXPECT_TRUE(says(run, std::string("the saved state of time 0.002 lacks ") + part)) << run.log();
+    std::filesystem::rename(aside, folder / part);
+  }
+  for (const char* part : {"U", "p"}) {
+    std::filesystem::rename(folder / part, aside);
+    ASSERT_NE(run.run(), 0) << part;
+    std::filesystem::rename(aside, folder / part);
+  }
+  EXPECT_EQ(run.run(), 0) << run.log();
 }
 
 TEST(Restart, FollowsAFurtherRunOfTheDemHalf) {

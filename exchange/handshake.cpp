@@ -50,8 +50,9 @@ std::string judged(const std::string& dem, const std::string& cfd, bool& sameWir
   }
 }
 
-// First ranks: what both halves make of the terms that they have. One that cannot take
-// part in this, or finds that the other did not get what it has, is told to end.
+// First ranks: what both halves make of the terms that they have. Where the other half may
+// not have found why this one refuses them, it is told, and both end at once: one that goes to
+// MPI_Finalize while the other ends can leave mpirun waiting.
 wire::Verdict concluded(Half half, const std::string& dem, const std::string& cfd) {
   bool sameWire = false;
   wire::Verdict mine{wire::digest(dem), wire::digest(cfd), judged(dem, cfd, sameWire)};
@@ -68,7 +69,7 @@ wire::Verdict concluded(Half half, const std::string& dem, const std::string& cf
       told = true;
       mine.line = std::string("the other half's verdict on the terms: ") + damage.what();
     }
-  if (told) farewell(mine.line);
+  if (told) abandon(mine.line);
   return mine;
 }
 

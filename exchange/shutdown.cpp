@@ -262,19 +262,6 @@ void checkShutdown() {
 
 void explainEnd(const std::string& reason) { state().explained = reason; }
 
-void farewell(const std::string& reason) {
-  if (!coupledRun()) return;
-  const auto& world = World::instance();
-  // never freed: the message may still be under way when this half ends
-  auto* text = new std::string(reason);
-  MPI_Request request;
-  PMPI_Isend(text->data(), static_cast<int>(text->size()), MPI_CHAR, world.remoteRanks()[0],
-             wire::tagShutdown, world.whole(), &request);
-  int sent = 0;
-  for (const Deadline limit(deliveryGrace); !sent && !limit.over(); nap())
-    PMPI_Test(&request, &sent, MPI_STATUS_IGNORE);
-}
-
 void beforeFinalize() {
   auto& s = state();
   if (s.ending) endAll(1);

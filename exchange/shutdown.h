@@ -23,10 +23,6 @@ Stage stage();
 /// Ends this process (as the other half asks) when a message of shutdown has come in.
 void checkShutdown();
 
-/// Tells the other half's first rank why this half will not go on, and lets both end by
-/// themselves: for a refusal that the other half may not have found.
-void farewell(const std::string& reason);
-
 /// Called ahead of MPI_Finalize: ends both halves unless the run is over.
 void beforeFinalize();
 

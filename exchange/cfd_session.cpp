@@ -33,7 +33,8 @@ struct CfdSession::Impl {
   // What comes from one DEM rank and goes back to it. The buffers keep their memory.
   struct RemoteRank {
     Header announced;  // what it does next, comes in at any time
-    Header header;     // of the last state
+    bool heard = false;
+    Header header;  // of the last state
     std::vector<double> state, answer;
     int first = 0;               // its first particle here
     std::ptrdiff_t doubles = 0;  // of its state
@@ -47,10 +48,9 @@ struct CfdSession::Impl {
   BothTerms terms;
   FieldSet sends, receives;
   std::vector<RemoteRank> remotes;
-  std::vector<MPI_Request> headers, states, out;
+  std::vector<MPI_Request> states, out;
   SharedParticles shared;
   int particles = 0;
-  std::vector<MPI_Status> headerStatus;
   double time = 0, interval = 0, reported = 0;
   bool late = false, last = false, open = false, closeReceived = false;
   std::array<double, 3> impulse{};
@@ -61,22 +61,11 @@ struct CfdSession::Impl {
     sends = answerFields(terms);
   }
 
-  void postHeaders() {
-    const auto& world = World::instance();
-    headers.resize(remotes.size());
-    for (std::size_t p = 0; p < remotes.size(); ++p)
-      PMPI_Irecv(&remotes[p].announced, Header::doubles, MPI_DOUBLE, world.remoteRanks()[p],
-                 wire::tagHeader, world.whole(), &headers[p]);
+  void awaitHeaders() {
+    for (auto& remote : remotes) remote.heard = false;
   }
 
-  bool headersIn() {
-    headerStatus.resize(headers.size());
-    int done = 0;
-    if (!headers.empty() && headers[0] == MPI_REQUEST_NULL) return true;
-    PMPI_Testall(static_cast<int>(headers.size()), headers.data(), &done, headerStatus.data());
-    return done != 0;
-  }
-
+  bool headersIn();
   void checkHeaders();
   void receiveStates();
   void takeState(Particles& particles);
@@ -84,16 +73,36 @@ struct CfdSession::Impl {
   void pack(const Particles& answers, const std::vector<char>& owned, RemoteRank& remote);
 };
 
+// Nothing is posted for them: of a message that is too long for what is posted, MPI may say nothing
+bool CfdSession::Impl::headersIn() {
+  const auto& world = World::instance();
+  bool all = true;
+  for (std::size_t p = 0; p < remotes.size(); ++p) {
+    if (remotes[p].heard) continue;
+    MPI_Message message;
+    MPI_Status status;
+    int there = 0, bytes = 0;
+    PMPI_Improbe(world.remoteRanks()[p], wire::tagHeader, world.whole(), &there, &message, &status);
+    if (!there) {
+      all = false;
+      continue;
+    }
+    PMPI_Get_count(&status, MPI_BYTE, &bytes);
+    if (bytes != static_cast<int>(sizeof(double)) * Header::doubles)
+      abandon("the announcement of DEM rank " + std::to_string(p) + ": it holds " +
+              std::to_string(bytes) + " bytes of " +
+              std::to_string(sizeof(double) * Header::doubles));
+    PMPI_Mrecv(&remotes[p].announced, Header::doubles, MPI_DOUBLE, &message, MPI_STATUS_IGNORE);
+    remotes[p].heard = true;
+  }
+  return all;
+}
+
 void CfdSession::Impl::checkHeaders() {
   const auto& dem = terms.dem;
   const wire::Known known{timing.exchanges, time, dem.endTime, dem.step, last, receives.width()};
   std::ptrdiff_t all = 0;
   for (std::size_t p = 0; p < remotes.size(); ++p) try {
-      int doubles = 0;
-      PMPI_Get_count(&headerStatus[p], MPI_DOUBLE, &doubles);
-      if (doubles != Header::doubles)
-        throw wire::Damaged("it holds " + std::to_string(doubles) + " doubles of " +
-                            std::to_string(Header::doubles));
       wire::checkHeader(remotes[p].announced, known);
       wire::checkAlike(remotes[0].announced, remotes[p].announced);
       all += static_cast<std::ptrdiff_t>(remotes[p].announced.count);
@@ -195,7 +204,7 @@ CfdSession::CfdSession(const CfdTerms& mine, const RankBoxes& boxes) : impl_(new
   s.remotes.resize(World::instance().remoteRanks().size());
   s.time = s.terms.dem.startTime;
   s.open = true;
-  s.postHeaders();
+  s.awaitHeaders();
 }
 
 CfdSession::~CfdSession() {
@@ -224,7 +233,7 @@ CfdSession::Event CfdSession::next(Particles& particles) {
     case Kind::state:
       s.takeState(particles);
       ++s.timing.exchanges;
-      s.postHeaders();
+      s.awaitHeaders();
       break;
     case Kind::resume:
       // this half goes on where the last run ended
@@ -232,7 +241,7 @@ CfdSession::Event CfdSession::next(Particles& particles) {
       s.last = false;
       shakeHandsAgain(Half::cfd, "", s.terms);
       s.settle();
-      s.postHeaders();
+      s.awaitHeaders();
       event = Event::resumed;
       break;
     case Kind::close:

@@ -108,7 +108,8 @@ void Foam::momentumLedger::settle
 (
     const dispersedParticles& p,
     const vectorField& buoyancy,
-    const smoothingModel& smoothing
+    const smoothingModel& smoothing,
+    const bool bothWays
 )
 {
     vectorField received(mesh_.nCells());
@@ -118,7 +119,11 @@ void Foam::momentumLedger::settle
     // what cells were given on lengths that smoothing does not let particles
     // see has damped differences there, and is not asked back; its sum is zero
     vectorField answered(given_);
-    smooth(smoothing, answered);
+    // all ranks alike: settings
+    if (bothWays)
+    {
+        smooth(smoothing, answered);
+    }
 
     owed_.primitiveFieldRef() -= received + answered;
     owed_.correctBoundaryConditions();

@@ -75,7 +75,7 @@ public:
 
     void settle(const vector& buoyancy = Zero)
     {
-        ledger.settle(p, vectorField(1, buoyancy), smoothing_());
+        ledger.settle(p, vectorField(1, buoyancy), smoothing_(), false);
     }
 
     // a sub-step: the fluid's momentum equation without anything else
@@ -308,7 +308,7 @@ TEST(momentumLedger, withoutParticlesGivesNothing)
     momentumLedger ledger(c.mesh(), rho, true);
     dispersedParticles p;
     p.setSize(0);
-    ledger.settle(p, vectorField(), smoothing());
+    ledger.settle(p, vectorField(), smoothing(), false);
     ledger.setSources
     (
         p, vectorField(), scalarField(), vectorField(), scalarField(),
@@ -482,7 +482,7 @@ TEST(momentumLedger, whatParticlesDoNotSeeIsDamped)
     ledger.record(U, T);
 
     // they have received nothing, and nothing is owed but at the ends
-    ledger.settle(p, vectorField(n, Zero), smoothing());
+    ledger.settle(p, vectorField(n, Zero), smoothing(), true);
     const scalar given = 0.1*k*T;
     ledger.begin(T);
     ledger.setSources

@@ -114,8 +114,6 @@ Foam::particleCoupling::particleCoupling
             nu_,
             rho_,
             smoothing_->spread(),
-            (properties_.interpolation() == "mapped" ? 2 : 1)
-           *smoothing_->spread(),
             ddtType_ == couplingProperties::ddtType::difference ? 1.0
           : ddtType_ == couplingProperties::ddtType::particleFlux ? 2.0 : 0.0,
             properties_.has("pressureGradient")

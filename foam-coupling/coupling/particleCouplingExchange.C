@@ -27,7 +27,8 @@ void Foam::particleCoupling::exchangeMomentum()
     (
         p,
         vectorField(p.size(), Zero),    // impulses come without buoyancy
-        smoothing_()
+        smoothing_(),
+        forces_.bothWays()
     );
 
     const auto impulse = session_->impulse();

@@ -60,8 +60,8 @@ Foam::tmp<Foam::Field<Type>> Foam::particleForces::sample
     // all ranks alike: a setting
     if (properties_.interpolation() == "mapped")
     {
-        // all ranks alike: the model
-        if (!smoothing_.active())
+        // all ranks alike: settings
+        if (!bothWays())
         {
             return mean(field.primitiveField(), p);
         }
@@ -255,6 +255,15 @@ Foam::particleForces::particleForces
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::particleForces::bothWays() const
+{
+    return
+        smoothing_.active()
+     && properties_.interpolation() == "mapped"
+     && !self_->active();
+}
+
 
 void Foam::particleForces::velocity
 (

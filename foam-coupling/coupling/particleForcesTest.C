@@ -95,7 +95,7 @@ public:
             rho,
             {
                 case_.mesh(), "centre", properties_.interpolation(), nu, rho,
-                0, 0, 0, true
+                0, 0, true
             }
         ),
         part(case_.mesh().nCells(), 1)

@@ -48,6 +48,7 @@ void Foam::checkSavedState(const fvMesh& mesh)
     Pstream::scatter(parts);
 
     wordList missing;
+    // all ranks alike: the master's list
     for (const word& part : parts)
     {
         const bool here = isFile(folder/part);

@@ -25,7 +25,7 @@ latticeWeights at(const scalar x, const scalar y, const scalar z)
 // by sums over the wave numbers of a periodic lattice, far larger than reach
 TEST(selfDisturbance, responseByFourier)
 {
-    const latticeResponse table(vector::one, 0.3, 0.3);
+    const latticeResponse table(vector::one, 0.3);
     const int N = 48;
 
     for (const scalar theta : {0.0, 0.05, 0.7})
@@ -88,7 +88,7 @@ TEST(selfDisturbance, responseByFourier)
 
 TEST(selfDisturbance, meansAddUp)
 {
-    const latticeResponse table(vector(1, 2, 0.5), 0, 0);
+    const latticeResponse table(vector(1, 2, 0.5), 0);
     const latticeWeights w(at(0.3, 0, -1));
 
     // one long interval against many short ones
@@ -118,7 +118,7 @@ TEST(selfDisturbance, meansAddUp)
 // the table goes over into the continuum's unsteady Stokeslet
 TEST(selfDisturbance, farAndLate)
 {
-    const latticeResponse table(vector::one, 0, 0);
+    const latticeResponse table(vector::one, 0);
     for (const scalar theta : {8.0, 30.0})
     {
         for
@@ -145,7 +145,7 @@ TEST(selfDisturbance, farAndLate)
 // a source of volume sends its flux through any box around it
 TEST(selfDisturbance, sourceKeepsVolume)
 {
-    const latticeResponse table(vector::one, 0, 0);
+    const latticeResponse table(vector::one, 0);
     scalar out = 0;
     for (int y = -4; y <= 4; ++y)
     {
@@ -229,7 +229,7 @@ TEST(selfDisturbance, steadyPointForce)
         selfDisturbanceModel::New
         (
             test::settings("selfDisturbance latticeMemory;"),
-            {c.mesh(), "centre", "mapped", nu, rho, 0, 0, 0, true}
+            {c.mesh(), "centre", "mapped", nu, rho, 0, 0, true}
         )
     );
     dispersedParticles p;
@@ -295,7 +295,7 @@ TEST(selfDisturbance, throughPeriodicSides)
             selfDisturbanceModel::New
             (
                 test::settings("selfDisturbance latticeMemory;"),
-                {c.mesh(), "exactOverlap", "mapped", nu, rho, 0, 0, 0, true}
+                {c.mesh(), "exactOverlap", "mapped", nu, rho, 0, 0, true}
             )
         );
         dispersedParticles p;

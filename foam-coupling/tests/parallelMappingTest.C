@@ -429,7 +429,7 @@ TEST(parallelMapping, historiesGoAlong)
             selfDisturbanceModel::New
             (
                 test::settings("selfDisturbance latticeMemory;"),
-                {c.mesh(), "exactOverlap", "mapped", nu, rho, 0, 0, 0, true}
+                {c.mesh(), "exactOverlap", "mapped", nu, rho, 0, 0, true}
             )
         );
         dispersedParticles p;

@@ -1,5 +1,5 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-// Error::all() and Error::one() of this program, in place of the library's: one line, of
+// Errors of this program, in place of the library's: one line, of
 // which the other half hears. The library's print some bytes of freed memory behind it.
 #include <mpi.h>
 
@@ -7,8 +7,10 @@
 #include <cstdlib>
 #include <string>
 
+#include "compute.h"
 #include "error.h"
 #include "exchange/world.h"
+#include "fix.h"
 
 using namespace LAMMPS_NS;
 
@@ -40,6 +42,25 @@ void Error::all(const char *file, int line, const char *str)
   clay::explainEnd(str);
   MPI_Finalize();
   exit(1);
+}
+
+/* ----------------------------------------------------------------------
+   of a fix or a compute, which the line names
+------------------------------------------------------------------------- */
+
+void Error::fix_error(const char *file, int line, Fix *fix, const char *str)
+{
+  all(file, line, (std::string("Fix ") + fix->style + " (id " + fix->id + "): " + str).c_str());
+}
+
+void Error::fix_error(const char *file, int line, Fix *fix, const char *name, const char *str)
+{
+  all(file, line, (std::string("Fix ") + name + " (id " + fix->id + "): " + str).c_str());
+}
+
+void Error::compute_error(const char *file, int line, Compute *compute, const char *str)
+{
+  all(file, line, (std::string("Compute ") + compute->style + " (id " + compute->id + "): " + str).c_str());
 }
 
 /* ----------------------------------------------------------------------

@@ -26,9 +26,11 @@ volatile sig_atomic_t coupled = 0;  // the mpirun has a CFD half
 // Nothing in a handler may allocate: LIGGGHTS's own do, and hang when the signal
 // comes within malloc.
 
-// before the first exchange of a coupled run there is nothing to keep, nor after it
+// before the first exchange of a coupled run there is nothing to keep, nor after it;
+// SIGTERM is mpirun's way to end what is left when a half has said why it ended
 void end_early(int signal)
 {
+  if (signal == SIGTERM) _exit(128 + signal);
   static const char text[] = "liggghts-clay: ended by a signal outside of its coupled run\n";
   if (write(STDERR_FILENO, text, sizeof text - 1) < 0) _exit(1);
   _exit(128 + signal);

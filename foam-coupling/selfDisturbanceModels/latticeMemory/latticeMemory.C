@@ -95,19 +95,7 @@ Foam::selfDisturbanceModels::latticeMemory::response(const vector& h)
     }];
     if (!found)
     {
-        found.reset
-        (
-            new latticeResponse
-            (
-                h,
-                spread,
-                min
-                (
-                    setting_.solidSmoothing/sqr(unit),
-                    latticeResponse::thetaMax()
-                )
-            )
-        );
+        found.reset(new latticeResponse(h, spread));
     }
     return *found;
 }

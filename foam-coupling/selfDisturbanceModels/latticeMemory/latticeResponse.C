@@ -31,12 +31,7 @@ int Foam::latticeResponse::node(const scalar theta, scalar& share)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::latticeResponse::latticeResponse
-(
-    const vector& h,
-    const scalar spread,
-    const scalar solidSpread
-)
+Foam::latticeResponse::latticeResponse(const vector& h, const scalar spread)
 :
     table_(size_t(nodes_ + 1)*offsets_*2*width_),
     instant_(size_t(offsets_)*10)
@@ -188,7 +183,7 @@ Foam::latticeResponse::latticeResponse
 
     for (int d = 0; d < 3; ++d)
     {
-        lines[d].set(a[d]*solidSpread, a[d]);
+        lines[d].set(a[d]*spread, a[d]);
     }
     for (int o = 0; o < offsets_; ++o)
     {

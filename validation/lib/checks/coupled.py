@@ -71,7 +71,8 @@ def lines(process, pipe, silence):
 def case(name, where, *options, limit=600):
     """cases/run of a case into results/validation/where; returns (outcome, folder)."""
     folder = os.path.join(RUNS, where)
-    words = [os.path.join(TOP, "cases", "run"), "--no-setup", name, "--out", folder, "--overwrite", *options]
+    shutil.rmtree(folder, ignore_errors=True)  # whatever another version has left there
+    words = [os.path.join(TOP, "cases", "run"), "--no-setup", name, "--out", folder, *options]
     return execute(words, limit), folder
 
 

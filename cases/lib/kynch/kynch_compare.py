@@ -113,7 +113,8 @@ class Comparison:
         first = records[0]
         kynch_column.refuse(first.case, first.values)
         for r in records[1:]:
-            other = [k for k, v in first.values.items() if k not in ("seed", "prime_seed", "dem", "cfd") and r.values.get(k) != v]
+            other = [k for k, v in first.values.items()
+                     if k not in ("seed", "prime_seed", "dem", "cfd") and r.values.get(k) != v]
             if r.case != first.case or other:
                 raise CaseError(f"{r.folder}: {other[0] if other else 'case'} is not that of {first.folder}; "
                                 "runs must differ by their seeds alone")

@@ -43,7 +43,8 @@ def _stops(checks, _known, long):
         checks.true(f"{target} stopped for longer than the time-out: ends", code == 1 and "left:" not in said,
                     said[-200:])
         checks.true(f"{target} stopped for longer: the state says so",
-                    state.get("complete") is False and "3 s" in state.get("reason", ""), state)
+                    state.get("complete") is False and "waited 3" in state.get("reason", "")
+                    and "CLAYFOAM_TIMEOUT" in state["reason"], state)
 
 
 def _twice(checks, _known, _long):

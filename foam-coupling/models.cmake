@@ -78,6 +78,7 @@ macro(clayfoam_model_tests)
       selfDisturbanceModels/selfDisturbanceTest
       coupling/leftOutTest
       coupling/momentumLedgerTest
+      coupling/momentumLedgerMeasuresTest
       coupling/voidFractionHistoryTest
       coupling/particleForcesTest
       coupling/particleTurnoverTest
@@ -113,16 +114,17 @@ macro(clayfoam_model_tests)
   add_test(NAME carryingFluxTest COMMAND carryingFluxTest)
 
   # the same on several ranks
-  add_executable(parallelMappingTest
-    ${CLAYFOAM_MODEL_DIR}/tests/parallelMappingTest.C ${environment})
-  target_link_libraries(parallelMappingTest PRIVATE clayTestMesh)
-  foreach(ranks 2 3)
-    add_test(NAME parallelMappingTest_${ranks}
-      COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks}
-        --oversubscribe $<TARGET_FILE:parallelMappingTest>)
-    set_tests_properties(parallelMappingTest_${ranks} PROPERTIES
-      PROCESSORS ${ranks} TIMEOUT 120
-      ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+  foreach(test parallelMappingTest parallelHandOverTest)
+    add_executable(${test} ${CLAYFOAM_MODEL_DIR}/tests/${test}.C ${environment})
+    target_link_libraries(${test} PRIVATE clayTestMesh)
+    foreach(ranks 2 3)
+      add_test(NAME ${test}_${ranks}
+        COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks}
+          --oversubscribe $<TARGET_FILE:${test}>)
+      set_tests_properties(${test}_${ranks} PROPERTIES
+        PROCESSORS ${ranks} TIMEOUT 120
+        ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+    endforeach()
   endforeach()
 
   # not a test: prints what each scheme costs a particle

@@ -5,121 +5,15 @@ Description
     particle and one cell of fluid whose motion is known.
 \*---------------------------------------------------------------------------*/
 
-#include "momentumLedger.H"
-#include "testMesh.H"
+#include "particleAndCell.H"
 
 #include <gtest/gtest.h>
 
 using namespace Foam;
+using namespace Foam::test;
 
 namespace
 {
-
-const scalar rho = 1000;
-
-// a row of four cells of 1 mm3
-test::polyhedra row()
-{
-    return test::block({4, 1, 1}, Zero, {4e-3, 1e-3, 1e-3});
-}
-const scalar V = 1e-9;
-
-// one particle in the second cell and the ledger
-class pair
-{
-    test::meshCase case_;
-    autoPtr<smoothingModel> smoothing_;
-    volScalarField n_;
-    volVectorField U_;
-
-public:
-
-    momentumLedger ledger;
-    dispersedParticles p;
-    scalarField K, added;
-    vectorField force;
-
-    pair(const scalar m, const scalar k, const scalar a = 0)
-    :
-        case_(row()),
-        smoothing_(smoothingModel::New(dictionary(), case_.mesh())),
-        n_(case_.field("n")),
-        U_
-        (
-            IOobject("U", case_.mesh().time().timeName(), case_.mesh()),
-            case_.mesh(),
-            dimensionedVector(dimVelocity, Zero),
-            calculatedFvPatchVectorField::typeName
-        ),
-        ledger(case_.mesh(), rho, a > 0),
-        K(1, k),
-        added(a > 0 ? 1 : 0, a),
-        force(1, Zero)
-    {
-        p.setSize(1);
-        p.mass = m;
-        p.volume = 0.1*V;
-        p.owned = true;
-        p.append(1, 1);
-        p.endRow(0);
-    }
-
-    vector& U() { return U_[1]; }
-
-    // the sources of the coming interval
-    void exchange(const scalar T)
-    {
-        ledger.setSources(p, p.velocity, K, force, added, smoothing_());
-        ledger.begin(T);
-    }
-
-    void settle(const vector& buoyancy = Zero)
-    {
-        ledger.settle(p, vectorField(1, buoyancy), smoothing_(), false);
-    }
-
-    // a sub-step: the fluid's momentum equation without anything else
-    void solve(const scalar dt)
-    {
-        ledger.prepare(dt);
-        const scalar Sp = ledger.Sp()[1];
-        U() = (U() + dt*ledger.F()[1])/(1 + dt*Sp);
-        ledger.record(U_, dt);
-    }
-
-    // a sub-step of a fluid that keeps its velocity
-    void hold(const vector& u, const scalar dt)
-    {
-        ledger.prepare(dt);
-        U() = u;
-        ledger.record(U_, dt);
-    }
-
-    // the source as the fluid gets it, F - Sp U, by force [N]
-    vector source() const
-    {
-        return rho*V*(ledger.F()[1] - ledger.Sp()[1]*U_[1]);
-    }
-
-    // the void fraction in all cells
-    const volScalarField& n(const scalar value)
-    {
-        n_ == dimensionedScalar("n", dimless, value);
-        return n_;
-    }
-
-    // what particles that are gone had received
-    void settleGone(const vector& impulse, const scalarField& gone)
-    {
-        ledger.settleGone(impulse, gone, smoothing_());
-    }
-
-    // the explicit forces anew
-    void setReaction()
-    {
-        ledger.setReaction(p, force, smoothing_());
-    }
-};
 
 const vector v0(0.3, -0.1, 0.2);
 
@@ -132,7 +26,7 @@ TEST(momentumLedger, slowDragIsTheDrag)
     const scalar m = 2e-6, T = 1e-3;
     for (const scalar stiffness : {1e-8, 1e-4})
     {
-        pair one(m, stiffness*m/T);
+        particleAndCell one(m, stiffness*m/T);
         one.p.velocity = v0;
         one.exchange(T);
         one.ledger.prepare(T);
@@ -155,7 +49,7 @@ TEST(momentumLedger, stiffDragEndsAtTheCommonVelocity)
     const scalar m = 2e-6, M = rho*V, T = 1e-3;
     for (const label steps : {1, 5})
     {
-        pair one(m, 1e6*m/T);
+        particleAndCell one(m, 1e6*m/T);
         one.p.velocity = v0;
         one.exchange(T);
         for (label k = 0; k < steps; ++k)
@@ -178,7 +72,7 @@ TEST(momentumLedger, givesWhatAFreeParticleTakes)
     {
         for (const label steps : {1, 7})
         {
-            pair one(m, stiffness*m/T);
+            particleAndCell one(m, stiffness*m/T);
             one.p.velocity = v0;
             one.exchange(T);
             vector given(Zero);
@@ -204,7 +98,7 @@ TEST(momentumLedger, isBalanced)
         return vector(unit(random), unit(random), unit(random));
     };
     const scalar m = 2e-6, T = 1e-3;
-    pair one(m, 0.7*m/T);
+    particleAndCell one(m, 0.7*m/T);
     vector received(Zero), given(Zero), buoyancy(Zero);
     scalar size = 0;
 
@@ -245,7 +139,7 @@ TEST(momentumLedger, paysWhatItOwes)
     const scalar T = 1e-3;
     for (const label steps : {1, 4})
     {
-        pair one(2e-6, 0);
+        particleAndCell one(2e-6, 0);
         one.p.impulse[0] = vector(1e-6, 0, -3e-6);
         one.settle();
         EXPECT_LT(mag(one.ledger.owed() + one.p.impulse[0]), 1e-18);
@@ -270,7 +164,7 @@ TEST(momentumLedger, givesTheReaction)
     const scalar m = 2e-6, a = 1e-6, T = 1e-3;
     for (const scalar added : {0.0, a})
     {
-        pair one(m, 0, added);
+        particleAndCell one(m, 0, added);
         one.force[0] = vector(0, 3e-5, 1e-5);
         one.exchange(T);
         one.ledger.prepare(T);
@@ -284,7 +178,7 @@ TEST(momentumLedger, givesTheReaction)
 TEST(momentumLedger, addedMassSlowsTheAnswer)
 {
     const scalar m = 2e-6, a = 1e-6, T = 1e-3, k = 3*m/T;
-    pair one(m, k, a);
+    particleAndCell one(m, k, a);
     one.p.velocity = v0;
     one.exchange(T);
     one.ledger.prepare(T);
@@ -296,10 +190,10 @@ TEST(momentumLedger, addedMassSlowsTheAnswer)
 // a rank without particles of a run with added mass
 TEST(momentumLedger, withoutParticlesGivesNothing)
 {
-    const test::meshCase c(row());
+    const meshCase c(row());
     const auto smoothing = smoothingModel::New
     (
-        test::settings
+        settings
         (
             "smoothingModel diffusion; diffusionCoeffs { bandwidth 2e-3; }"
         ),
@@ -327,7 +221,7 @@ TEST(momentumLedger, withoutParticlesGivesNothing)
 TEST(momentumLedger, lateStepsGiveNoMoreDrag)
 {
     const scalar m = 2e-6, T = 1e-3, late = 9*T, k = 0.5*m/T;
-    pair one(m, k);
+    particleAndCell one(m, k);
     one.p.velocity = v0;
     one.force[0] = vector(0, 3e-5, 1e-5);
     one.p.impulse[0] = vector(2e-6, 0, 0);
@@ -343,61 +237,10 @@ TEST(momentumLedger, lateStepsGiveNoMoreDrag)
 }
 
 
-// K T/(rho n V), of all cells the largest
-TEST(momentumLedger, measuresStiffness)
-{
-    pair one(2e-6, 3e-4);
-    one.exchange(1e-3);
-    EXPECT_NEAR
-    (
-        one.ledger.stiffness(one.n(0.6), 2e-3)/(3e-4*2e-3/(rho*0.6*V)), 1, 1e-12
-    );
-}
-
-
-// rho f^2/n over inertia and drag, of all cells the largest; 1 at most where
-// added mass takes part
-TEST(momentumLedger, measuresThePressuresStiffness)
-{
-    const scalar m = 0.1*rho*V, T = 1e-3, n = 0.25, f = 1 - n;
-    for (const scalar k : {0.0, m/T})
-    {
-        pair one(m, k);
-        one.exchange(T);
-        const scalar expected = rho*V*f*f/n/(m + k*T);
-        EXPECT_NEAR
-        (
-            one.ledger.pressureStiffness(one.n(n), T)/expected, 1, 1e-12
-        );
-    }
-    pair added(m, 0, m);
-    added.exchange(T);
-    EXPECT_EQ(added.ledger.pressureStiffness(added.n(n), T), 1);
-}
-
-
-// heavy particles follow the fluid at once, light ones by the ratio of their
-// inertia to what the fluid answers with; empty cells have none to hold back
-TEST(momentumLedger, lightParticlesFollowByAPart)
-{
-    const scalar T = 1e-3, n = 0.25, f = 1 - n, Cm = 0.5;
-    const scalar G = rho*f*f/n*(1 + Cm/n + Cm);
-    for (const scalar m : {0.1*rho*V, 100*rho*V})
-    {
-        pair one(m, 0.2*m/T, m);
-        one.exchange(T);
-        const scalarField part(one.ledger.follow(one.n(n), Cm*rho));
-        const scalar M = 1.2*m/V + f*Cm*rho;
-        EXPECT_NEAR(part[1], M < G ? M/G : 1, 1e-12);
-        EXPECT_EQ(part[0], 1);
-    }
-}
-
-
 // what particles received before they went is owed where they were
 TEST(momentumLedger, settlesForThoseThatAreGone)
 {
-    pair one(2e-6, 0);
+    particleAndCell one(2e-6, 0);
     const vector J(1e-6, 0, -2e-6);
     scalarField gone(4, Zero);
     gone[1] = 0.1*V;
@@ -418,7 +261,7 @@ TEST(momentumLedger, settlesForThoseThatAreGone)
 TEST(momentumLedger, givesTheWholeReactionAnew)
 {
     const scalar m = 2e-6;
-    pair one(m, 0, m);
+    particleAndCell one(m, 0, m);
     one.exchange(1e-3);
     one.force[0] = vector(0, 3e-5, 1e-5);
     one.setReaction();
@@ -433,14 +276,14 @@ TEST(momentumLedger, givesTheWholeReactionAnew)
 TEST(momentumLedger, whatParticlesDoNotSeeIsDamped)
 {
     const label n = 16;
-    const test::meshCase c
+    const meshCase c
     (
-        test::block({n, 1, 1}, Zero, {n*1e-3, 1e-3, 1e-3})
+        block({n, 1, 1}, Zero, {n*1e-3, 1e-3, 1e-3})
     );
     const fvMesh& mesh = c.mesh();
     const auto smoothing = smoothingModel::New
     (
-        test::settings
+        settings
         (
             "smoothingModel diffusion; diffusionCoeffs { bandwidth 3e-3; }"
         ),

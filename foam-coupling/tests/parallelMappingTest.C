@@ -6,18 +6,16 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "handOver.H"
+#include "cutUpMesh.H"
 #include "keptMapping.H"
 #include "mathematicalConstants.H"
-#include "particleTurnover.H"
-#include "selfDisturbanceModel.H"
 #include "smoothingModel.H"
-#include "testMesh.H"
 #include "voidFractionModel.H"
 
 #include <gtest/gtest.h>
 
 using namespace Foam;
+using namespace Foam::test;
 
 namespace
 {
@@ -29,29 +27,6 @@ void sumOverRanks(std::vector<double>& values, int)
     Pstream::listCombineGather(all, plusEqOp<scalar>());
     Pstream::listCombineScatter(all);
     std::copy(all.begin(), all.end(), values.begin());
-}
-
-// the rank with the smallest claim, the lowest of equals
-void own(dispersedParticles& p, const fvMesh& mesh)
-{
-    List<scalarField> claims(Pstream::nProcs());
-    claims[Pstream::myProcNo()] = p.claims(mesh);
-    Pstream::gatherList(claims);
-    Pstream::scatterList(claims);
-
-    for (label i = 0; i < p.size(); ++i)
-    {
-        label best = 0;
-        forAll(claims, rank)
-        {
-            if (claims[rank][i] < claims[best][i])
-            {
-                best = rank;
-            }
-        }
-        p.owned[i] =
-            best == Pstream::myProcNo() && claims[best][i] < 1e299;
-    }
 }
 
 void fill(dispersedParticles& p, const label n, const bool crowd)
@@ -70,30 +45,6 @@ void fill(dispersedParticles& p, const label n, const bool crowd)
         p.volume[i] = 4.0/3*constant::mathematical::pi*pow3(p.radius[i]);
         p.tag[i] = i;
     }
-}
-
-enum layout
-{
-    slabs,
-    chess,      // each cell on another rank than its neighbours
-    lopsided    // all on the first rank
-};
-
-// the whole mesh, cut up
-test::polyhedra mesh(const layout how)
-{
-    const label n = 10;
-    test::polyhedra all(test::block({n, n, n}, Zero, {0.02, 0.02, 0.02}));
-    all.ranks.setSize(n*n*n);
-    forAll(all.ranks, c)
-    {
-        const label i = c % n, j = c/n % n, k = c/(n*n);
-        all.ranks[c] =
-            how == chess ? (i + j + k) % Pstream::nProcs()
-          : how == slabs ? i*Pstream::nProcs()/n
-          : 0;
-    }
-    return all;
 }
 
 // one value a cell of the whole mesh, known by the position of its centre
@@ -128,10 +79,10 @@ TEST(parallelMapping, sameAsOnOneRank)
 
         for (const layout how : {slabs, chess, lopsided})
         {
-            const test::meshCase c(mesh(how));
+            const meshCase c(mesh(how));
             auto m = voidFractionModel::New
             (
-                test::settings
+                settings
                 (
                     std::string("voidFractionModel ") + name + ";"
                     "voidFractionMin 0.3;"
@@ -189,12 +140,12 @@ TEST(parallelMapping, partitionOfUnity)
 {
     for (const layout how : {slabs, chess, lopsided})
     {
-        test::polyhedra all(mesh(how));
-        test::shake(all, 3e-4, 9, false);
-        const test::meshCase c(all);
+        polyhedra all(mesh(how));
+        shake(all, 3e-4, 9, false);
+        const meshCase c(all);
         auto m = voidFractionModel::New
         (
-            test::settings("voidFractionModel exactOverlap;"), c.mesh()
+            settings("voidFractionModel exactOverlap;"), c.mesh()
         );
         dispersedParticles p;
         fill(p, 500, false);
@@ -225,10 +176,10 @@ TEST(parallelMapping, limitAcrossRanks)
     std::vector<scalarField> results;
     for (const layout how : {slabs, chess, lopsided})
     {
-        const test::meshCase c(mesh(how));
+        const meshCase c(mesh(how));
         auto m = voidFractionModel::New
         (
-            test::settings("voidFractionModel exactOverlap;"), c.mesh()
+            settings("voidFractionModel exactOverlap;"), c.mesh()
         );
         dispersedParticles p;
         volScalarField n(c.field("n"));
@@ -257,10 +208,10 @@ TEST(parallelMapping, smoothingAcrossRanks)
     std::vector<scalarField> results;
     for (const layout how : {slabs, chess, lopsided})
     {
-        const test::meshCase c(mesh(how));
+        const meshCase c(mesh(how));
         const auto m = smoothingModel::New
         (
-            test::settings
+            settings
             (
                 "smoothingModel diffusion;"
                 "diffusionCoeffs { bandwidth 5e-3; }"
@@ -290,12 +241,12 @@ TEST(parallelMapping, smoothingAcrossRanks)
 // spheres that reach out of the mesh
 TEST(parallelMapping, keptOnSomeRanks)
 {
-    const test::meshCase c(mesh(chess));
+    const meshCase c(mesh(chess));
     for (const char* name : {"centre", "divided", "exactOverlap"})
     {
         auto m = voidFractionModel::New
         (
-            test::settings(std::string("voidFractionModel ") + name + ";"),
+            settings(std::string("voidFractionModel ") + name + ";"),
             c.mesh()
         );
         volScalarField n(c.field("n")), full(c.field("full"));
@@ -329,143 +280,4 @@ TEST(parallelMapping, keptOnSomeRanks)
             gMax(mag(n.primitiveField() - full.primitiveField())()), 1e-13
         )   << name;
     }
-}
-
-
-// every tag's numbers come to its new owner, and nothing else does
-TEST(parallelMapping, numbersAreHandedOver)
-{
-    const label ranks = Pstream::nProcs(), me = Pstream::myProcNo();
-    const auto numbers = [](const label tag)
-    {
-        std::vector<scalar> x(tag % 5);
-        for (size_t k = 0; k < x.size(); ++k)
-        {
-            x[k] = 1.0/3*tag + k;
-        }
-        return x;
-    };
-    // all from the first rank to the last, and around; none from the last
-    for (const label by : {ranks - 1, label(1), label(0)})
-    {
-        particleNumbers given;
-        DynamicList<label> wanted;
-        label expected = 0;
-        for (label tag = 1; tag < 200; ++tag)
-        {
-            const label from = by ? tag/7 % ranks : 0;
-            if (from == me && tag % 11)
-            {
-                given[tag] = numbers(tag);
-            }
-            if ((from + by) % ranks == me && tag % 3)
-            {
-                wanted.append(tag);
-                expected += tag % 11 != 0;
-            }
-        }
-        const particleNumbers got(handOver(given, wanted));
-        EXPECT_EQ(label(got.size()), expected) << by;
-        for (const auto& one : got)
-        {
-            EXPECT_EQ(one.second, numbers(one.first));
-            EXPECT_TRUE(wanted.found(one.first));
-        }
-    }
-}
-
-
-// one that goes from rank to rank has neither come nor gone
-TEST(parallelMapping, turnover)
-{
-    const label ranks = Pstream::nProcs(), me = Pstream::myProcNo();
-    particleTurnover turnover;
-    const auto see = [&](const labelList& tags, const label first)
-    {
-        dispersedParticles p;
-        DynamicList<label> mine;
-        for (const label tag : tags)
-        {
-            if ((tag + first) % ranks == me)
-            {
-                mine.append(tag);
-            }
-        }
-        p.setSize(mine.size());
-        p.clearRows();
-        forAll(mine, i)
-        {
-            p.tag[i] = mine[i];
-            p.volume[i] = 1;
-            p.owned[i] = true;
-            p.append(0, 1);
-            p.endRow(i);
-        }
-        turnover.compare(p, 1);
-    };
-    see({1, 2, 3, 4}, 0);
-    see({1, 2, 3, 4}, 1);
-    EXPECT_FALSE(turnover.any());
-    see({1, 2, 3, 9}, 2);
-    // all ranks know that some have
-    ASSERT_TRUE(turnover.any());
-    EXPECT_EQ(gSum(turnover.came()), 1);
-    EXPECT_EQ(gSum(turnover.gone()), 1);
-    EXPECT_EQ(turnover.came()[0], (9 + 2) % ranks == me ? 1 : 0);
-    EXPECT_EQ(turnover.gone()[0], (4 + 1) % ranks == me ? 1 : 0);
-}
-
-
-// a particle's history goes with it from rank to rank
-TEST(parallelMapping, historiesGoAlong)
-{
-    const scalar nu = 0.5, rho = 2, T = 0.02*sqr(0.002)/nu;
-    vector result[2];
-    for (const layout how : {chess, lopsided})
-    {
-        const test::meshCase c(mesh(how));
-        autoPtr<selfDisturbanceModel> model
-        (
-            selfDisturbanceModel::New
-            (
-                test::settings("selfDisturbance latticeMemory;"),
-                {c.mesh(), "exactOverlap", "mapped", nu, rho, 0, 0, true}
-            )
-        );
-        dispersedParticles p;
-        label owners = 0;
-        for (label k = 0; k < 40; ++k)
-        {
-            p.setSize(1);
-            p.radius = 4e-4;
-            p.volume = 1e-12;
-            p.mass = 1;
-            p.tag = 7;
-            // through several cells
-            p.position[0] = point(3e-3 + 3e-4*k, 9e-3, 9.3e-3);
-            p.locate(c.mesh());
-            own(p, c.mesh());
-            p.impulse = k > 0 ? vector(0, 0, -3*T) : vector::zero;
-            vectorField velocity, force;
-            scalarField solid;
-            model->evaluate
-            (
-                p, T, vectorField(1, Zero), scalarField(1, 1.0),
-                velocity, solid, force
-            );
-            model->sent(p, scalarField(1, 0.0), vectorField(1, Zero));
-            owners += p.owned[0];
-            result[how == lopsided] =
-                returnReduce
-                (
-                    p.owned[0] ? velocity[0] : vector(Zero), sumOp<vector>()
-                );
-        }
-        if (how == chess)
-        {
-            EXPECT_GT(owners, 5);
-        }
-    }
-    EXPECT_GT(mag(result[1]), 0);
-    EXPECT_LT(mag(result[0] - result[1]), 1e-12*mag(result[1]));
 }

@@ -42,6 +42,7 @@ constexpr FieldFacts facts[] = {
     {"addedMass", 1, Values::notNegative},
     {"turnCoefficient", 1, Values::notNegative},
     {"fluidSpin", 3},
+    {"voidFraction", 1, Values::notNegative},
 };
 static_assert(sizeof(facts) / sizeof(facts[0]) == fieldCount, "one line a field");
 

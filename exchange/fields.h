@@ -36,6 +36,7 @@ enum class Field : unsigned {
   addedMass,        ///< m_a in F = -m_a dv/dt [kg], 1
   turnCoefficient,  ///< C in T = C (w - spin) [N m s], 1
   fluidSpin,        ///< w in T = C (w - spin) [rad/s], 3
+  voidFraction,     ///< at the particle, as its drag law takes it, 1
   count
 };
 

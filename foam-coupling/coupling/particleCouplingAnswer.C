@@ -104,6 +104,10 @@ void Foam::particleCoupling::answer()
         {
             answers_[Field::dragCoefficient][i] = forces_.K[i];
         }
+        if (session_->sends().has(Field::voidFraction))
+        {
+            answers_[Field::voidFraction][i] = forces_.fraction[i];
+        }
         put(Field::fluidVelocity, i, forces_.u[i]);
         put(Field::force, i, forces_.reacting[i] + forces_.hydrostatic[i]);
         if (forces_.addedMass.size())

@@ -142,6 +142,8 @@ bool Foam::particleCoupling::next()
             }
             case clay::CfdSession::Event::resumed:
             {
+                // a further run may ask for other fields
+                answers_ = clay::Particles(session_->sends());
                 checkBuoyancy();
                 continue;
             }
@@ -262,6 +264,7 @@ void Foam::particleCoupling::solved()
             shareOwned(now);
             forces_.reacting += now - pressureForce_;
         }
+        solids_.update(particles_, forces_.K, forces_.u, sumShared_);
         answer();
     }
     if (properties_.verbose())

@@ -103,7 +103,8 @@ clay::CfdTerms Foam::particleCoupling::terms() const
     t.accepts = {Field::dragDiameter, Field::dragFactor, Field::gravity};
     t.offers =
     {
-        Field::dragCoefficient, Field::fluidVelocity, Field::force
+        Field::dragCoefficient, Field::fluidVelocity, Field::force,
+        Field::voidFraction
     };
     if (forces_.needsSpin())
     {

@@ -83,7 +83,6 @@ void Foam::particleForces::evaluateMore
 (
     const dispersedParticles& p,
     const fluidState& fluid,
-    const scalarField& fraction,
     const scalarField& nu
 )
 {
@@ -259,13 +258,12 @@ void Foam::particleForces::evaluate
         force.prepare(fluid);
     }
     u = sample(fluid.U, p);
-    // the particles' volume has been smoothed already
-    scalarField fraction
-    (
-        // all ranks alike: a setting
+    // the particles' volume has been smoothed already; all ranks alike: a
+    // setting
+    fraction =
         properties_.interpolation() == "mapped"
-      ? mean(n.primitiveField(), p) : sample(n, p)
-    );
+      ? mean(n.primitiveField(), p)
+      : sample(n, p);
     vectorField ownForce;
     // all ranks alike: the model
     if (self_->active())
@@ -330,7 +328,7 @@ void Foam::particleForces::evaluate
     // all ranks alike: what the listed forces need
     if (vorticity_ || turn_ || addedDensity_ > 0)
     {
-        evaluateMore(p, fluid, fraction, nu);
+        evaluateMore(p, fluid, nu);
     }
 
     if (self_->active())

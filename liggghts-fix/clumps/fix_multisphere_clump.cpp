@@ -145,9 +145,23 @@ void FixMultisphereClump::set_flow(int b, const BodyFlow &flow, double scale)
 
 /* ---------------------------------------------------------------------- */
 
-void FixMultisphereClump::set_hydrostatic(int ibody, const double *force)
+void FixMultisphereClump::set_loads(int ibody, const double *load, const double *hydro, double added)
 {
-  std::copy(force, force + 3, stored(ibody).hydro);
+  Fluid &fluid = stored(ibody);
+  std::copy(load, load + 3, fluid.load);
+  std::copy(hydro, hydro + 3, fluid.hydro);
+  fluid.added = added;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::fluid_force(int b, double *force, double *drag)
+{
+  const Fluid &fluid = stored(b);
+  for (int k = 0; k < 3; k++) {
+    force[k] = fluid.force[k] + fluid.hydro[k];
+    drag[k] = force[k] - fluid.load[k] + fluid.added * fcm_(b)[k] / multisphere_.mass(b);
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -183,7 +197,7 @@ Eigen::Matrix3d FixMultisphereClump::axes(int b)
 
 /* ---------------------------------------------------------------------- */
 
-void FixMultisphereClump::couple(const std::function<void()> &before)
+void FixMultisphereClump::couple(const std::function<void()> &before, const std::function<void()> &after)
 {
   if (CAdd_ != 0.)
     error->all(FLERR,
@@ -191,6 +205,7 @@ void FixMultisphereClump::couple(const std::function<void()> &before)
                "leave it out under fix couple/foam");
   coupled_ = true;
   before_ = before;
+  after_ = after;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -198,7 +213,7 @@ void FixMultisphereClump::couple(const std::function<void()> &before)
 void FixMultisphereClump::uncouple()
 {
   coupled_ = false;
-  before_ = nullptr;
+  before_ = after_ = nullptr;
   resistances_.clear();
   for (int b = 0; b < multisphere_.n_body(); b++) stored(b).owner = 0.0;
 }

@@ -45,9 +45,14 @@ class FixMultisphereClump : public FixMultisphere {
   /// Takes the fluid's action on a body, until it is given anew.
   void set_drag(int ibody, const BodyDrag &drag);
 
-  /// Its part that the hydrostatic pressure has [N], which is left out of the impulse.
-  void set_hydrostatic(int ibody, const double *force);
+  /// Forces on it that do not depend on its motion [N], their part that the hydrostatic
+  /// pressure has, which is left out of the impulse, and its added mass [kg].
+  void set_loads(int ibody, const double *load, const double *hydro, double added);
   const double *hydrostatic(int ibody) { return stored(ibody).hydro; }
+
+  /// All that the fluid does to a body in this step, and its drag alone [N]. With added
+  /// mass what the turning of its spheres' places takes of that counts as drag.
+  void fluid_force(int ibody, double *force, double *drag);
 
   /// From now on set_flow() is called in place of set_drag(): the resistance for
   /// unit viscosity of each clump type, about the centre of mass in body axes.
@@ -71,6 +76,8 @@ class FixMultisphereClump : public FixMultisphere {
   /// Adds what it gave to all of this processor's bodies since the last call, also to
   /// those that are gone since.
   void take_given(double *impulse);
+  /// What the next call will add [N s].
+  const double *given() const { return given_; }
 
   /// Adds to it what the fluid gave while the bodies kept still [N s].
   void add_impulse(int ibody, const double *impulse);
@@ -80,8 +87,10 @@ class FixMultisphereClump : public FixMultisphere {
   bool take_motion(int ibody, double *displacement, double *change);
 
   /// Switches the fluid on; without it this is plain multisphere. before() is called
-  /// before spheres may change places in memory: bodies that left the box are taken out.
-  void couple(const std::function<void()> &before = [] {});
+  /// before spheres may change places in memory: bodies that left the box are taken out;
+  /// after() when a step's forces on the bodies are known.
+  void couple(
+      const std::function<void()> &before = [] {}, const std::function<void()> &after = [] {});
 
   /// Switches it off and forgets it.
   void uncouple();
@@ -97,8 +106,10 @@ class FixMultisphereClump : public FixMultisphere {
       DragStep drag;
       ResistanceStep whole;  // with resistances_
     };
-    double hydro[3];            // part that the hydrostatic pressure has [N]
-    double force[3];            // of the last step, without it [N]
+    double load[3];             // force that does not depend on the motion [N]
+    double hydro[3];            // its part that the hydrostatic pressure has [N]
+    double added;               // added mass [kg]
+    double force[3];            // of the last step, without the hydrostatic part [N]
     double impulse[3];          // since the last exchange [N s]
     double place[3], speed[3];  // of the centre of mass at the last exchange [m, m/s]
     double seen;                // above 0 when it was there
@@ -141,7 +152,7 @@ class FixMultisphereClump : public FixMultisphere {
   bool coupled_;
   double given_[3];  // since take_given() [N s]
   ScriptGravity gravity_;
-  std::function<void()> before_;
+  std::function<void()> before_, after_;
   BodySpheres spheres_;
   bool unsorted_;  // spheres have changed places in memory
   bool unturned_;  // bodies have turned without spheres_

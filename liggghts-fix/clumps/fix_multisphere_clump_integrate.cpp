@@ -141,6 +141,7 @@ void FixMultisphereClump::final_integrate()
     fw_comm_flag_ = MS_COMM_FW_V_OMEGA;
     forward_comm();
   }
+  if (after_) after_();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -152,11 +153,12 @@ void FixMultisphereClump::calc_force(bool setupflag)
     FixMultisphere::calc_force(setupflag);
     if (coupled_)
       for (int b = 0; b < nbody; b++) apply_drag(b, setupflag);
-    return;
+  } else {
+    sort_spheres();
+    const clay::GroupGravity gravity = gravity_.now();
+    for (int b = 0; b < nbody; b++) sum_forces(b, gravity, setupflag);
   }
-  sort_spheres();
-  const clay::GroupGravity gravity = gravity_.now();
-  for (int b = 0; b < nbody; b++) sum_forces(b, gravity, setupflag);
+  if (after_) after_();
 }
 
 /* ---------------------------------------------------------------------- */

@@ -62,7 +62,7 @@ class Thermal : public clay::RandomForce {
 FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), settings_(settings(narg, arg, error)), dt_(0.), idle_(false), opened_(-1), pending_(false),
   waited_(0), prompt_(true), warned_(false), exchanges_(0), bodies_(NULL), fluid_(NULL), more_(NULL), mute_(0),
-  gravity_(lmp), usual_{}, listed_(-1), still_(false), unseen_(false), still_steps_(0), last_time_(0.)
+  gravity_(lmp), usual_{}, listed_(-1), still_(false), unseen_(false), still_steps_(0), showing_(false), last_time_(0.)
 {
   given_[0] = given_[1] = given_[2] = 0.;
 
@@ -79,7 +79,15 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   time_depend = 1;
   create_attribute = 1;  // set_arrays for particles inserted within a run
   restart_global = 1;    // the clock, which LIGGGHTS does not restart
-  comm_forward = comm_reverse = Row::FORCE - Row::DRAG;
+
+  peratom_flag = local_flag = vector_flag = 1;
+  peratom_freq = local_freq = global_freq = 1;
+  size_peratom_cols = clay::ShownRow::SIZE;
+  size_local_cols = clay::ShownBody::SIZE;
+  size_local_rows = 0;
+  size_vector = 9;
+  extvector = 1;  // sums over particles
+
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
@@ -96,6 +104,8 @@ FixCoupleFoam::~FixCoupleFoam()
   atom->delete_callback(id, 0);
   memory->destroy(fluid_);
   memory->destroy(more_);
+  memory->destroy(array_atom);
+  memory->destroy(array_local);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -134,9 +144,11 @@ void FixCoupleFoam::init()
   if (strstr(update->integrate_style, "respa"))
     error->all(FLERR, "Fix couple/foam: works with run_style verlet, not with respa");
   if (bodies_)
-    bodies_->couple([this] {
-      if (pending_) take_answer();
-    });
+    bodies_->couple(
+        [this] {
+          if (pending_) take_answer();
+        },
+        [this] { show(update->ntimestep); });
   if (clumps_ && !bodies_)
     error->all(FLERR, "Fix couple/foam: clumpDrag resistance: there are no clumps; 'fix multisphere/clump' makes them");
   if (clumps_) clumps_->init(bodies_);
@@ -146,6 +158,8 @@ void FixCoupleFoam::init()
   moving_ = moving_groups(lmp);
   mute_ = clay::frozen_above(script_fixes(lmp), modify->find_fix(id));
   gravity_.find();
+  readers_ = ValueReaders::of(lmp, id);
+  comm_forward = comm_reverse = (readers_.any ? Row::FORCE : Row::FRACTION) - Row::DRAG;
 
   refuse([&] { clay::check_order(script_fixes(lmp), modify->find_fix(id)); });
   refuse([&] { clay::check_others(script_fixes(lmp)); });
@@ -227,6 +241,7 @@ clay::DemTerms FixCoupleFoam::terms()
   if (gravity_.differs(igroup)) t.brings.add(Field::gravity);
   if (bodies_) t.clumpDrag = clay::name(settings_.clumpDrag);
   t.needs = {Field::dragCoefficient, Field::fluidVelocity};
+  if (readers_.any) t.needs.add(Field::voidFraction);
   return t;
 }
 
@@ -285,7 +300,9 @@ void FixCoupleFoam::setup_pre_force(int)
 void FixCoupleFoam::setup(int)
 {
   listed_ = -1;
-  if (!idle_) apply(true);
+  if (idle_) return;
+  apply(true);
+  show(update->ntimestep);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -343,6 +360,7 @@ void FixCoupleFoam::post_force(int)
   if (idle_) return;
   if (pending_) look_for_answer();
   apply(false);
+  if (!bodies_) show(update->ntimestep);
 }
 
 /* ---------------------------------------------------------------------- */

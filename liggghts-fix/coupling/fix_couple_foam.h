@@ -19,9 +19,11 @@ FixStyle(couple/foam,FixCoupleFoam)
 #include <vector>
 
 #include "coupling/couple_settings.h"
+#include "coupling/fluid_output.h"
 #include "coupling/particle_packer.h"
 #include "coupling/script_checks.h"
 #include "coupling/sphere_forces.h"
+#include "coupling/value_readers.h"
 #include "exchange/fields.h"
 #include "fix.h"
 #include "clumps/script_gravity.h"
@@ -68,6 +70,8 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   /// Gives the particles the impulse of the steps they kept still, before one that is computed.
   void book_rest();
 
+  double compute_vector(int);
+
   double memory_usage();
   void grow_arrays(int);
   void copy_arrays(int, int, int);
@@ -99,6 +103,12 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   void take_body_answers();
   void apply(bool first);
   void list_free();
+  bool output_due(bigint step) const;
+  void show(bigint step);
+  void show_clumps();
+  clay::StepState last_step() const;
+  std::vector<clay::FluidAction> body_actions(const std::vector<BodySphere> &spheres);
+  double total(int component);
   void find_gravity();
   clay::Hydrostatics hydrostatics() const;
   clay::SphereArrays spheres() const;
@@ -130,6 +140,8 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   int still_steps_;                          // for so many steps since the last exchange
   clay::StillForces still_forces_;           // of the fluid when they came to rest
   double given_[3];                          // impulse given on this rank, to particles that are gone, too [N s]
+  ValueReaders readers_;                     // of what array_atom and array_local show
+  bool showing_;                             // rows of array_atom are on their way between processors
 
   std::unique_ptr<clay::DemSession> session_;
   clay::Particles sent_, answer_;

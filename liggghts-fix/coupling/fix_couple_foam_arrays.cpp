@@ -19,13 +19,18 @@ using namespace LAMMPS_NS;
 
 double FixCoupleFoam::memory_usage()
 {
-  return atom->nmax * (Row::SIZE + (more_ ? (int)More::SIZE : 0)) * sizeof(double);
+  return (atom->nmax * (Row::SIZE + clay::ShownRow::SIZE + (more_ ? (int)More::SIZE : 0)) +
+          size_local_rows * clay::ShownBody::SIZE) *
+      sizeof(double);
 }
 
 void FixCoupleFoam::grow_arrays(int nmax)
 {
   memory->grow(fluid_, nmax, (int)Row::SIZE, "couple/foam:fluid");
   if (more_) memory->grow(more_, nmax, (int)More::SIZE, "couple/foam:more");
+  // made anew where it is read, and does not go along with the atoms
+  memory->grow(array_atom, nmax, (int)clay::ShownRow::SIZE, "couple/foam:array_atom");
+  std::fill_n(array_atom[0], nmax * clay::ShownRow::SIZE, 0.);
 }
 
 void FixCoupleFoam::copy_arrays(int i, int j, int)
@@ -65,7 +70,7 @@ int FixCoupleFoam::unpack_exchange(int nlocal, double *buf)
 
 int FixCoupleFoam::pack_comm(int n, int *list, double *buf, int, int *)
 {
-  for (int m = 0; m < n; m++) buf = std::copy(fluid_[list[m]] + Row::DRAG, fluid_[list[m]] + Row::FORCE, buf);
+  for (int m = 0; m < n; m++) buf = std::copy_n(fluid_[list[m]] + Row::DRAG, comm_forward, buf);
   return comm_forward;
 }
 
@@ -77,12 +82,21 @@ void FixCoupleFoam::unpack_comm(int n, int first, double *buf)
 
 int FixCoupleFoam::pack_reverse_comm(int n, int first, double *buf)
 {
-  for (int i = first; i < first + n; i++) buf = std::copy(fluid_[i] + Row::DRAG, fluid_[i] + Row::FORCE, buf);
+  if (showing_) {
+    std::copy_n(array_atom[first], n * clay::ShownRow::SIZE, buf);
+    return clay::ShownRow::SIZE;
+  }
+  for (int i = first; i < first + n; i++) buf = std::copy_n(fluid_[i] + Row::DRAG, comm_reverse, buf);
   return comm_reverse;
 }
 
 void FixCoupleFoam::unpack_reverse_comm(int n, int *list, double *buf)
 {
+  if (showing_) {
+    for (int m = 0; m < n; m++)
+      for (int k = 0; k < clay::ShownRow::SIZE; k++) array_atom[list[m]][k] += *buf++;
+    return;
+  }
   for (int m = 0; m < n; m++)
-    for (int k = Row::DRAG; k < Row::FORCE; k++) fluid_[list[m]][k] += *buf++;
+    for (int k = Row::DRAG; k < Row::DRAG + comm_reverse; k++) fluid_[list[m]][k] += *buf++;
 }

@@ -235,10 +235,17 @@ void FixCoupleFoam::take_body_answers()
     for (int b = 0; b < nbody; b++) bodies_->set_drag(b, drag[b]);
   }
 
-  std::vector<std::array<double, 3>> hydro(nbody);
-  for (const BodySphere &s : spheres_)
-    for (int k = 0; k < 3; k++) hydro[s.body][k] += fluid_[s.atom][Row::HYDRO + k];
-  for (int b = 0; b < nbody; b++) bodies_->set_hydrostatic(b, hydro[b].data());
+  std::vector<std::array<double, 7>> sums(nbody);
+  int slot = first;
+  for (const BodySphere &s : spheres_) {
+    std::array<double, 7> &sum = sums[s.body];
+    for (int k = 0; k < 3; k++) {
+      sum[k] += fluid_[s.atom][Row::LOAD + k];
+      sum[3 + k] += fluid_[s.atom][Row::HYDRO + k];
+    }
+    if (more_) sum[6] += answer_[Field::addedMass][slot++];
+  }
+  for (int b = 0; b < nbody; b++) bodies_->set_loads(b, sums[b].data(), sums[b].data() + 3, sums[b][6]);
 
   if (comm->nprocs > 1) comm->reverse_comm_fix(this);
 }
@@ -305,5 +312,6 @@ bool FixCoupleFoam::rest_step(double tolerance)
     if (any) return false;
   }
   still_steps_++;
+  show(update->ntimestep + 1);
   return true;
 }

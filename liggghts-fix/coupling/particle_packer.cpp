@@ -122,6 +122,7 @@ void unpack(const Particles &answer, const Particles &sent, const Hydrostatics &
     const double *load = answer[Field::force] + 3 * slot;
     std::copy(load, load + 3, row + Row::LOAD);
   } else std::fill(row + Row::LOAD, row + Row::LOAD + 3, 0.);
+  row[Row::FRACTION] = answer.fields().has(Field::voidFraction) ? answer[Field::voidFraction][slot] : 0.;
 
   const double rho = row[Row::DRAG] > 0. ? still.rho : 0.;
   const double *g = sent.fields().has(Field::gravity) ? sent[Field::gravity] + 3 * slot : still.gravity.data();

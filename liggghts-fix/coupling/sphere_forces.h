@@ -13,18 +13,19 @@ namespace clay {
 /// From FORCE on of free spheres only, those in no body.
 struct FluidRow {
   enum {
-    DRAG = 0,      ///< K in F = K (u - v) [kg/s]
-    VELOCITY = 1,  ///< u [m/s]
-    LOAD = 4,      ///< force that does not depend on the motion [N]
-    HYDRO = 7,     ///< its part that the hydrostatic pressure has [N], not the fluid's to give
-    FORCE = 10,    ///< of the last step, without that part [N]
-    IMPULSE = 13,  ///< received since the last exchange, without that part [N s]
-    SLOT = 16,     ///< place in the message, -1 for none
-    RELAX = 17,    ///< mean of the slip over a step, of that at its start
-    PLACE = 18,    ///< at the last exchange [m]
-    SPEED = 21,    ///< velocity then [m/s]
-    SEEN = 24,     ///< above 0 when it was there
-    SIZE = 25
+    DRAG = 0,       ///< K in F = K (u - v) [kg/s]
+    VELOCITY = 1,   ///< u [m/s]
+    LOAD = 4,       ///< force that does not depend on the motion [N]
+    HYDRO = 7,      ///< its part that the hydrostatic pressure has [N], not the fluid's to give
+    FRACTION = 10,  ///< void fraction, 0 where nobody asks for it
+    FORCE = 11,     ///< of the last step, without that part [N]
+    IMPULSE = 14,   ///< received since the last exchange, without that part [N s]
+    SLOT = 17,      ///< place in the message, -1 for none
+    RELAX = 18,     ///< mean of the slip over a step, of that at its start
+    PLACE = 19,     ///< at the last exchange [m]
+    SPEED = 22,     ///< velocity then [m/s]
+    SEEN = 25,      ///< above 0 when it was there
+    SIZE = 26
   };
 };
 

@@ -30,6 +30,8 @@ class BesideStandIn {
   bool run(const std::string &script, const std::string &fluid)
   {
     std::ofstream(path_ / "in.lig") << script;
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
     const std::string command = "cd '" + path_.string() + "' && " + CLAYFOAM_MPIEXEC +
         " --oversubscribe --bind-to none -np " + std::to_string(ranks_) + " " + CLAYFOAM_LIGGGHTS +
         " -in in.lig -log dem.log : -np 1 " + CLAYFOAM_STAND_IN + " out=told.json " + fluid + " > out.log 2>&1";
@@ -82,7 +84,7 @@ class BesideStandIn {
     std::string line;
     bool rows = false;
     while (std::getline(is, line)) {
-      if (line.rfind("Step", 0) == 0) rows = true;
+      if (line.find("Step ") < 8) rows = true;
       else if (line.rfind("Loop", 0) == 0) rows = false;
       else if (rows) {
         std::istringstream numbers(line);

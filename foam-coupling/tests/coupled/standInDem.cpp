@@ -173,7 +173,7 @@ class Suspension {
     t.offers = {Field::position,   Field::radius,  Field::volume, Field::velocity,
                 Field::tag,        Field::impulse, Field::mass,   Field::meanVelocity,
                 Field::otherForce, Field::touched};
-    t.needs = {Field::dragCoefficient, Field::fluidVelocity, Field::force};
+    t.needs = {Field::dragCoefficient, Field::fluidVelocity, Field::force, Field::voidFraction};
     return t;
   }
 
@@ -193,6 +193,18 @@ class Suspension {
     j["height"] = sum[4] / sum[3];
     j["mass"] = mass_;
     return j;
+  }
+
+  /// Sum of K (u - v) over the spheres of this rank, their number and the sum of their n.
+  nlohmann::json answered(const clay::Particles& answer) const {
+    std::array<double, 4> sum{};
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += answer[Field::dragCoefficient][i] *
+                  (answer[Field::fluidVelocity][3 * i + c] - spheres[i].v[c]);
+      sum[3] += answer[Field::voidFraction][i] / static_cast<double>(spheres.size());
+    }
+    return sum;
   }
 
   /// The state as a file, for a later start (one rank).
@@ -235,6 +247,7 @@ void march(clay::DemSession& session, Suspension& suspension, const clay::DemTer
     session.send(state, terms.startTime + done * terms.step, done == steps, suspension.given);
     history.push_back(suspension.report(zlo, zhi));
     session.receive(answer);
+    history.back()["answered"] = suspension.answered(answer);
     if (done == steps) break;
     for (long i = 0; i < terms.interval; ++i) suspension.step(terms.step, answer, buoyant);
   }

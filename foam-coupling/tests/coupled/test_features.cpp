@@ -380,3 +380,28 @@ TEST(WriteFields, DragSumsUpToTheWeightItCarries) {
     EXPECT_NEAR(byCells / sum, 1, 0.05);
   }
 }
+
+// The field's sum over the cells is what the DEM half makes of the same answers, also where the
+// fluid is solved before these are given; n at the spheres is that of their cells
+TEST(WriteFields, DragSumsUpToWhatTheParticlesGet) {
+  for (const double nu : {1e-6, 1e-2}) {
+    CoupledRun run(nu > 1e-3 ? "writeFields-stiff" : "writeFields-light");
+    std::ostringstream entries;
+    entries << "x1 0.02; y1 0.02; z1 0.04; nx 2; ny 2; nz 4; nu " << nu << ";";
+    run.box(entries.str());
+    run.dem("hi", "0.02,0.02,0.04").dem("from", "0,0,0.01").dem("to", "0.02,0.02,0.03");
+    run.dem("count", "4,4,4").dem("gravity", "0,0,-9.81").dem("density", 2600).dem("steps", 200);
+    run.dem("radius", 5e-4);
+    run.properties("voidFractionModel centre; writeFields (drag);");
+    run.mesh();
+    ASSERT_EQ(run.run(), 0) << run.log();
+    EXPECT_EQ(run.log().find("drag is stiff") != std::string::npos, nu > 1e-3);
+    double sum = 0;
+    for (const auto& drag : run.values("drag")) sum += drag[2] * 1e-6;
+    const auto history = run.history();
+    const auto& answered = history[history.size() - 1]["answered"];
+    EXPECT_NEAR(sum / answered[2].get<double>(), 1, 1e-6)
+        << history[history.size() - 2]["answered"];
+    EXPECT_NEAR(answered[3], 1 - 8 * pi / 6 * 1e-9 / 1e-6, 1e-3);
+  }
+}

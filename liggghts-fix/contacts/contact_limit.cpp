@@ -94,6 +94,13 @@ double effectiveModulus(double youngs1, double poisson1, double youngs2, double 
   return 1 / ((1 - poisson1 * poisson1) / youngs1 + (1 - poisson2 * poisson2) / youngs2);
 }
 
+double rayleighTime(double size, double modulus, double poisson)
+{
+  // of two like spheres modulus = Y/(2 (1 - poisson2)) = G/(1 - poisson)
+  const double shear = modulus * (1 - poisson);
+  return pi * size / std::sqrt(shear) / (0.1631 * poisson + 0.8766);
+}
+
 // k_n such that an elastic impact at the characteristic velocity reaches the
 // overlap it has by Hertz's law; damping from the restitution
 double attractedOverlap(double pull, double stiffness, double diameter)

@@ -67,6 +67,11 @@ double attractedOverlap(double pull, double stiffness, double diameter);
 /// [kg], effective modulus [Pa], characteristic velocity [m/s], restitution.
 ContactCoefficients hookeCoefficients(double radius, double mass, double modulus, double velocity, double restitution);
 
+/// Time [s] that a Rayleigh wave takes over a sphere in contact with a like one: in use as a
+/// scale of the step for Hertz's contacts, whose stiffness grows with the overlap. `size` is
+/// radius times the root of the density [m (kg/m3)^1/2], modulus the pair's effective one [Pa].
+double rayleighTime(double size, double modulus, double poisson);
+
 /// Effective modulus [Pa] of two materials from Young's moduli and Poisson's ratios.
 double effectiveModulus(double youngs1, double poisson1, double youngs2, double poisson2);
 

@@ -205,3 +205,11 @@ TEST(ContactLimit, attractedSpheresRestWhereTheSpringHoldsThem)
   EXPECT_TRUE(std::isinf(clay::attractedOverlap(0.149 * k * d * d * d, k, d)));
   EXPECT_EQ(clay::attractedOverlap(0, k, d), 0);
 }
+
+// t = pi r sqrt(density/G)/(0.1631 nu + 0.8766), G = Y/(2 (1 + nu)); glass of 1 mm
+TEST(ContactLimit, rayleighTimeOfLikeSpheres)
+{
+  const double Y = 7e10, nu = 0.22, r = 5e-4, density = 2500;
+  const double modulus = clay::effectiveModulus(Y, nu, Y, nu);
+  EXPECT_NEAR(clay::rayleighTime(r * std::sqrt(density), modulus, nu), 5.0817e-7, 1e-10);
+}

@@ -185,6 +185,9 @@ void FixCoupleFoam::check_contacts()
   std::string which;
   const double limit = resting_step_limit(lmp, &which);
   refuse([&] { clay::check_contact_limit(update->dt, limit, which); });
+  const double rayleigh = rayleigh_step(lmp, &which);
+  const std::string near = clay::check_rayleigh(update->dt, rayleigh, which);
+  if (!near.empty()) report_->warn(near);
   const ChargedContact worst = charged_contact(lmp);
   std::string odd;
   refuse([&] { odd = clay::check_charges(worst); });

@@ -46,6 +46,12 @@ clay::MovingGroups moving_groups(LAMMPS *lmp);
 /// To be called after init, on all processors.
 double resting_step_limit(LAMMPS *lmp, std::string *which = nullptr);
 
+/// Rayleigh time [s] of the smallest and lightest spheres that move, clumps' and clay templates'
+/// among them, each with the stiffest of the script's materials; infinite without particles or
+/// where the contact model is neither hertz nor hertz/stiffness. `which` says whose it is. To be
+/// called after init, on all processors.
+double rayleigh_step(LAMMPS *lmp, std::string *which = nullptr);
+
 /// Two types whose charges press their spheres into each other.
 struct ChargedContact {
   double overlap = 0;    ///< at rest, over the diameter; infinite when nothing holds them

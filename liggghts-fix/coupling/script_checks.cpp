@@ -87,6 +87,18 @@ void check_contact_limit(double dt, double limit, const std::string &which)
 
 /* ---------------------------------------------------------------------- */
 
+std::string check_rayleigh(double dt, double rayleigh, const std::string &which)
+{
+  const double most = 0.3 * rayleigh;
+  if (dt <= most) return "";
+  return text(
+      "timestep %g s is %.2g of the Rayleigh time of %s, %.3g s: contacts under load may not be stable; take at "
+      "most 0.3 of it, %.3g s, or a smaller modulus",
+      dt, dt / rayleigh, which.c_str(), rayleigh, most);
+}
+
+/* ---------------------------------------------------------------------- */
+
 std::string check_charges(const LAMMPS_NS::ChargedContact &c)
 {
   if (c.impact <= 0.1) return "";

@@ -29,6 +29,10 @@ void check_interval(long steps, int interval);
 /// the limit [s] of `which` at rest.
 void check_contact_limit(double dt, double limit, const std::string &which);
 
+/// Hertz's contacts grow stiff with the overlap, so that no limit is known beforehand: a
+/// warning when dt is above 0.3 of the Rayleigh time [s] of `which`, else empty.
+std::string check_rayleigh(double dt, double rayleigh, const std::string &which);
+
 /// Charges can press spheres together harder than their contact holds. Returns a
 /// warning, empty when there is none.
 std::string check_charges(const LAMMPS_NS::ChargedContact &contact);

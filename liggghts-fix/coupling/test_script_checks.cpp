@@ -92,6 +92,16 @@ TEST(ScriptChecks, contactLimit)
             "timestep 0.0001 s is above 2.35e-05 s, the contact limit of a body with 5 contacts at step 700");
 }
 
+TEST(ScriptChecks, rayleighTime)
+{
+  EXPECT_EQ(check_rayleigh(3e-6, 1e-5, "spheres"), "");
+  EXPECT_EQ(check_rayleigh(1, std::numeric_limits<double>::infinity(), ""), "");
+  EXPECT_EQ(
+      check_rayleigh(8e-6, 1e-5, "spheres of type 2"),
+      "timestep 8e-06 s is 0.8 of the Rayleigh time of spheres of type 2, 1e-05 s: contacts under load may not be "
+      "stable; take at most 0.3 of it, 3e-06 s, or a smaller modulus");
+}
+
 TEST(ScriptChecks, chargesThatTheirContactHolds)
 {
   LAMMPS_NS::ChargedContact c;

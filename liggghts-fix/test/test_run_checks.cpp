@@ -102,6 +102,45 @@ TEST(RunChecks, otherModelsAreNotJudged)
   EXPECT_TRUE(std::isinf(LAMMPS_NS::present_step_limit(host.lmp.get())));
 }
 
+// the smallest of those that move, with the stiffest material of the script
+TEST(RunChecks, rayleighTime)
+{
+  const auto script = [](const std::string &moduli, const std::string &model) {
+    return test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") +
+        "fix m1 all property/global youngsModulus peratomtype " + moduli +
+        "\nfix m2 all property/global poissonsRatio peratomtype 0.25 0.25\n"
+        "fix m3 all property/global coefficientRestitution peratomtypepair 2 0.3 0.3 0.3 0.3\n"
+        "fix m4 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
+        "fix m5 all property/global characteristicVelocity scalar 0.1\n"
+        "pair_style gran model " +
+        model + " tangential history\npair_coeff * *\n" + pressed() +
+        "set type 2 diameter 1e-3\nset type 2 density 2600\nrun 0\n";
+  };
+  const auto time = [](double r, double E) { return clay::rayleighTime(r * std::sqrt(2600.), E, 0.25); };
+  std::string which;
+  Host host;
+  host(script("5e6 5e6", "hertz"));
+  const double E = clay::effectiveModulus(5e6, 0.25, 5e6, 0.25), usual = time(0.5e-3, E);
+  EXPECT_NEAR(LAMMPS_NS::rayleigh_step(host.lmp.get(), &which), usual, 1e-9 * usual);
+  EXPECT_EQ(which, "spheres of type 2");
+  host("unfix nve\nfix nve left nve/sphere\nrun 0\n");
+  EXPECT_NEAR(LAMMPS_NS::rayleigh_step(host.lmp.get(), &which), 2 * usual, 1e-9 * usual);
+  EXPECT_EQ(which, "spheres of type 1");
+
+  // of another material, as a wall's may be
+  Host pair;
+  pair(script("5e9 5e6", "hertz"));
+  const double stiff = time(0.5e-3, clay::effectiveModulus(5e6, 0.25, 5e9, 0.25));
+  const double alone = time(1e-3, clay::effectiveModulus(5e9, 0.25, 5e9, 0.25));
+  EXPECT_NEAR(LAMMPS_NS::rayleigh_step(pair.lmp.get()), std::min(stiff, alone), 1e-9 * alone);
+  pair("unfix nve\ngroup right type 2\nfix nve right nve/sphere\nrun 0\n");
+  EXPECT_NEAR(LAMMPS_NS::rayleigh_step(pair.lmp.get()), stiff, 1e-9 * stiff);
+
+  Host other;
+  other(script("5e6 5e6", "hooke"));
+  EXPECT_TRUE(std::isinf(LAMMPS_NS::rayleigh_step(other.lmp.get())));
+}
+
 TEST(RunChecks, limitsOfAPlateAtRest)
 {
   Host host;

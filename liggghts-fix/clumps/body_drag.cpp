@@ -52,27 +52,47 @@ void AddedInertia::add_mass(const double *r_, double m)
 
 Matrix6d BodyDrag::resistance() const { return of_moments(K, Kr, Krr); }
 
-Matrix6d body_response(const Matrix6d &R, const Matrix6d &added, double mass, const double *inertia, double dt)
+Matrix6d free_mobility(double mass, const double *inertia)
 {
-  // what has no inertia does not turn
   Vector6d inverse;
   inverse.head<3>().setConstant(1.0 / mass);
   for (int k = 0; k < 3; k++) inverse[k + 3] = inertia[k] > 0 ? 1.0 / inertia[k] : 0.0;
+  return inverse.asDiagonal();
+}
+
+Matrix6d held_mobility(double mass, const double *inertia, const Matrix3d &axes, const bool *moves, const bool *turns)
+{
+  Matrix6d free = free_mobility(mass, inertia), mask = Matrix6d::Identity();
+  const auto of = [&](const bool *flags) {
+    return Matrix3d(axes.transpose() * Vector3d(flags[0], flags[1], flags[2]).asDiagonal() * axes);
+  };
+  if (!(moves[0] && moves[1] && moves[2])) mask.topLeftCorner<3, 3>() = of(moves);
+  if (!(turns[0] && turns[1] && turns[2])) mask.bottomRightCorner<3, 3>() = of(turns);
+  return free * mask;
+}
+
+Matrix6d body_response(const Matrix6d &R, const Matrix6d &added, double mass, const double *inertia, double dt)
+{
+  return body_response(R, added, free_mobility(mass, inertia), dt);
+}
+
+Matrix6d body_response(const Matrix6d &R, const Matrix6d &added, const Matrix6d &mobility, double dt)
+{
   const Matrix6d one = Matrix6d::Identity();
 
   if (!added.isZero(0)) {
     // M (M + N)^-1 = (1 + N M^-1)^-1, which also holds for what does not turn
-    const Matrix6d share = (one + added * inverse.asDiagonal()).inverse();
-    const Matrix6d B = dt * R * inverse.asDiagonal() * share;
+    const Matrix6d share = (one + added * mobility).inverse();
+    const Matrix6d B = dt * R * mobility * share;
     return share * (one + B + 0.5 * B * B).partialPivLu().solve(one + 0.5 * B) - one;
   }
 
-  const Matrix6d B = dt * R * inverse.asDiagonal();
+  const Matrix6d B = dt * R * mobility;
   const Matrix6d B2 = B * B;
   return (one + B + 0.5 * B2).partialPivLu().solve(-0.5 * (B + B2));
 }
 
-void DragStep::set(const BodyDrag &drag, double mass, const double *inertia, double dt)
+void DragStep::set(const BodyDrag &drag, const Matrix6d &mobility, double dt)
 {
   const Matrix6d R = drag.resistance();
   K = drag.K;
@@ -86,7 +106,7 @@ void DragStep::set(const BodyDrag &drag, double mass, const double *inertia, dou
     for (int j = 0; j < 3; j++) lever[3 * k + j] = drag.lever(k, j);
   }
   Map<Matrix6d> H(response);
-  H = body_response(R, drag.added, mass, inertia, dt);
+  H = body_response(R, drag.added, mobility, dt);
 }
 
 void DragStep::wrench(const double *ex, const double *ey, const double *ez, const double *v, const double *L,

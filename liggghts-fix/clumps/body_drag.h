@@ -42,6 +42,18 @@ struct BodyDrag : AddedInertia {
 /// H of DragStep::wrench, for the resistance R about the centre of mass.
 Matrix6d body_response(const Matrix6d &R, const Matrix6d &added, double mass, const double *inertia, double dt);
 
+/// The same for a body whose motion answers to force and torque by `mobility`, the inverse of its
+/// mass matrix in body axes but for what holds it: zero in held directions.
+Matrix6d body_response(const Matrix6d &R, const Matrix6d &added, const Matrix6d &mobility, double dt);
+
+/// Mobility of a free body; what has no inertia does not turn.
+Matrix6d free_mobility(double mass, const double *inertia);
+
+/// Of one that forces move along the axes of space in `moves` alone, and torques turn about those in
+/// `turns`. Its axes are the columns of `axes`.
+Matrix6d held_mobility(double mass, const double *inertia, const Eigen::Matrix3d &axes, const bool *moves,
+                       const bool *turns);
+
 /// Mean force and torque over a step, space axes, of a fluid whose wrench at the
 /// step's start is e, body axes ex, ey, ez; H, by columns, is its response to the
 /// motion that e and the other wrench make in the step.
@@ -71,7 +83,11 @@ struct DragStep {
   double lever[9];      ///< row k: its moments along body axis k [N m], space axes
   double response[36];  ///< of the wrench to the motion within the step, by columns
 
-  void set(const BodyDrag &drag, double mass, const double *inertia, double dt);
+  void set(const BodyDrag &drag, const Matrix6d &mobility, double dt);
+  void set(const BodyDrag &drag, double mass, const double *inertia, double dt)
+  {
+    set(drag, free_mobility(mass, inertia), dt);
+  }
 
   /// Mean force and torque of the fluid over a step, space axes. The body has
   /// axes ex, ey, ez, velocity v, angular momentum L, principal moments inertia,

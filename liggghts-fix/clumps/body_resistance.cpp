@@ -42,8 +42,8 @@ void BodyFlow::motion(const Matrix3d &axes, Vector3d &u, Vector3d &w) const
   w = axes * w;
 }
 
-void ResistanceStep::set(const BodyFlow &flow, const Matrix6d &R, double scale_, const Matrix3d &axes, double mass,
-                         const double *inertia, double dt)
+void ResistanceStep::set(const BodyFlow &flow, const Matrix6d &R, double scale_, const Matrix3d &axes,
+                         const Matrix6d &mobility, double dt)
 {
   scale = scale_;
   Vector3d velocity, spin;
@@ -56,7 +56,7 @@ void ResistanceStep::set(const BodyFlow &flow, const Matrix6d &R, double scale_,
   }
 
   Map<Matrix6d> H(response);
-  H = body_response(scale * R, flow.added, mass, inertia, dt);
+  H = body_response(scale * R, flow.added, mobility, dt);
 }
 
 void ResistanceStep::wrench(const Matrix6d &R, const double *ex, const double *ey, const double *ez, const double *v,

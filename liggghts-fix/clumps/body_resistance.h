@@ -40,8 +40,13 @@ struct ResistanceStep {
   double response[36];  ///< of the wrench to the motion within the step, by columns
 
   /// R is for unit viscosity, about the centre of mass, in body axes.
+  void set(const BodyFlow &flow, const Matrix6d &R, double scale, const Eigen::Matrix3d &axes, const Matrix6d &mobility,
+           double dt);
   void set(const BodyFlow &flow, const Matrix6d &R, double scale, const Eigen::Matrix3d &axes, double mass,
-           const double *inertia, double dt);
+           const double *inertia, double dt)
+  {
+    set(flow, R, scale, axes, free_mobility(mass, inertia), dt);
+  }
 
   /// Mean force and torque of the fluid over a step, as DragStep::wrench.
   void wrench(const Matrix6d &R, const double *ex, const double *ey, const double *ez, const double *v, const double *L,

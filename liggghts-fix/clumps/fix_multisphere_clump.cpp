@@ -7,8 +7,6 @@
 
 #include "clumps/fix_multisphere_clump.h"
 
-#include <limits>
-
 #include "domain.h"
 #include "error.h"
 #include "update.h"
@@ -129,18 +127,14 @@ void FixMultisphereClump::spheres(std::vector<BodySphere> &list)
 
 void FixMultisphereClump::set_drag(int ibody, const BodyDrag &drag)
 {
-  double mass, inertia[3];
-  response_mass(ibody, mass, inertia);
-  stored(ibody).drag.set(drag, mass, inertia, update->dt);
+  stored(ibody).drag.set(drag, mobility(ibody), update->dt);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixMultisphereClump::set_flow(int b, const BodyFlow &flow, double scale)
 {
-  double mass, inertia[3];
-  response_mass(b, mass, inertia);
-  stored(b).whole.set(flow, *resistances_[clumptype_(b)], scale, axes(b), mass, inertia, update->dt);
+  stored(b).whole.set(flow, *resistances_[clumptype_(b)], scale, axes(b), mobility(b), update->dt);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -165,17 +159,13 @@ void FixMultisphereClump::fluid_force(int b, double *force, double *drag)
 }
 
 /* ----------------------------------------------------------------------
-   mass and inertia of a body as its motion shows them: none of its
-   template's fflag, tflag set, no force changes it
+   how a body answers to forces: its template's fflag and tflag hold it
+   along axes of space
 ------------------------------------------------------------------------- */
 
-void FixMultisphereClump::response_mass(int b, double &mass, double *inertia)
+Matrix6d FixMultisphereClump::mobility(int b)
 {
-  const bool *moves = fflag_(b), *turns = tflag_(b);
-  const double infinity = std::numeric_limits<double>::infinity();
-  mass = moves[0] || moves[1] || moves[2] ? multisphere_.mass(b) : infinity;
-  const bool turning = turns[0] || turns[1] || turns[2];
-  for (int k = 0; k < 3; k++) inertia[k] = turning ? inertia_(b)[k] : infinity;
+  return held_mobility(multisphere_.mass(b), inertia_(b), axes(b), fflag_(b), tflag_(b));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -133,7 +133,7 @@ class FixMultisphereClump : public FixMultisphere {
   void sort_spheres();
   void place(int ibody);
   void sum_forces(int ibody, const clay::GroupGravity &gravity, bool setupflag);
-  void response_mass(int ibody, double &mass, double *inertia);
+  Matrix6d mobility(int ibody);
   void apply_drag(int ibody, bool setupflag);
   void half_kick(int begin, int end);
   void turn(int begin, int end);

@@ -14,6 +14,22 @@ class GroupGravity {
   void clear() { parts_.clear(); }
   /// Adds g [m/s2] on a group.
   void add(int group, const std::array<double, 3> &g) { parts_.push_back({group, g}); }
+  /// Adds another one of the same groups, times the weight.
+  void gather(const GroupGravity &other, double weight)
+  {
+    if (parts_.size() != other.parts_.size()) {
+      parts_ = other.parts_;
+      for (Part &p : parts_) p.g = {};
+    }
+    for (std::size_t i = 0; i < parts_.size(); i++)
+      for (int k = 0; k < 3; k++) parts_[i].g[k] += weight * other.parts_[i].g[k];
+  }
+  GroupGravity by(double factor) const
+  {
+    GroupGravity all;
+    all.gather(*this, factor);
+    return all;
+  }
   /// On a sphere of these groups [m/s2].
   std::array<double, 3> on(int groups) const
   {

@@ -307,3 +307,33 @@ TEST(DragStep, aBodyThatIsHeldGetsTheWholeDragWhateverTheStep)
     EXPECT_DOUBLE_EQ(T[2], 4e-8);
   }
 }
+
+// flags of a template hold it along axes of space: there all of the drag whatever the step,
+// along the others that of a free body
+TEST(DragStep, aBodyThatIsHeldAlongSomeAxes)
+{
+  const double m = 1e-6, I[3] = {1e-13, 1e-13, 1e-13}, u[3] = {0.1, 0.2, 0.3};
+  BodyDrag drag;
+  drag.add_sphere(none, 2e-4, u, none);
+  const double turned = std::sqrt(0.5);
+  Matrix3d axes;  // by 45 degrees about z
+  axes << turned, -turned, 0, turned, turned, 0, 0, 0, 1;
+  const double ex[3] = {turned, turned, 0}, ey[3] = {-turned, turned, 0}, ez[3] = {0, 0, 1};
+  const double other[3] = {1e-4, 2e-4, 3e-4};
+  for (bool turns : {true, false})
+    for (double dt : {1e-5, 1.0}) {
+      const bool moves[3] = {true, false, true}, spins[3] = {turns, turns, true}, always[3] = {true, true, true};
+      DragStep step, free;
+      step.set(drag, held_mobility(m, I, axes, moves, spins), dt);
+      free.set(drag, held_mobility(m, I, axes, always, always), dt);
+      double F[3], T[3], G[3];
+      step.wrench(ex, ey, ez, none, none, I, other, none, F, T);
+      free.wrench(ex, ey, ez, none, none, I, other, none, G, T);
+      EXPECT_NEAR(F[0], G[0], 1e-12);
+      EXPECT_NEAR(F[1], 2e-4 * u[1], 1e-15);
+      EXPECT_NEAR(F[2], G[2], 1e-12);
+      DragStep plain;
+      plain.set(drag, m, I, dt);
+      for (int k = 0; k < 36; k++) EXPECT_EQ(free.response[k], plain.response[k]);
+    }
+}

@@ -61,7 +61,7 @@ class Thermal : public clay::RandomForce {
 
 FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), settings_(settings(narg, arg, error)), dt_(0.), idle_(false), opened_(-1), pending_(false),
-  waited_(0), prompt_(true), warned_(false), exchanges_(0), bodies_(NULL), fluid_(NULL), more_(NULL), mute_(0),
+  waited_(0), prompt_(true), warned_(false), exchanges_(0), bodies_(NULL), fluid_(NULL), more_(NULL),
   gravity_(lmp), usual_{}, listed_(-1), still_(false), unseen_(false), still_steps_(0), showing_(false), last_time_(0.)
 {
   given_[0] = given_[1] = given_[2] = 0.;
@@ -161,6 +161,7 @@ void FixCoupleFoam::init()
   readers_ = ValueReaders::of(lmp, id);
   comm_forward = comm_reverse = (readers_.any ? Row::FORCE : Row::FRACTION) - Row::DRAG;
 
+  refuse([&] { clay::check_holders(script_fixes(lmp)); });
   refuse([&] { clay::check_order(script_fixes(lmp), modify->find_fix(id)); });
   refuse([&] { clay::check_others(script_fixes(lmp)); });
 }

@@ -110,6 +110,7 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   std::vector<clay::FluidAction> body_actions(const std::vector<BodySphere> &spheres);
   double total(int component);
   void find_gravity();
+  void follow_gravity(bool first);
   clay::Hydrostatics hydrostatics() const;
   clay::SphereArrays spheres() const;
   std::vector<clay::StillSphere> still_spheres() const;
@@ -129,9 +130,11 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   double **fluid_;                             // per-atom store, rows of FluidRow
   double **more_;                              // another one, of InertiaRow; null when it is not needed
   clay::MovingGroups moving_;                  // which spheres follow the forces on them
-  int mute_;                                   // groups that a fix freeze above took all forces from
+  clay::AxisGroups mute_;                      // groups that a fix above took the forces from
   ScriptGravity gravity_;
   clay::GroupGravity pull_;                  // gravity at the last exchange
+  clay::GroupGravity mean_pull_;             // its sum over the interval, where it changes [m/s]
+  clay::GroupGravity last_pull_;             // in the last step
   std::array<double, 3> usual_;              // of that on all particles [m/s2]
   std::vector<int> free_, yielding_, held_;  // spheres in no body: all, those that move, the others
   int listed_;                               // local spheres when they were listed; -1 when out of date

@@ -72,7 +72,7 @@ void FixCoupleFoam::list_free()
   for (int i = 0; i < listed_; i++)
     if ((atom->mask[i] & groupbit) && !(bodies_ && bodies_->belongs_to(i) >= 0)) {
       free_.push_back(i);
-      (moving_.moves(atom->mask[i]) ? yielding_ : held_).push_back(i);
+      (moving_.held(atom->mask[i]) ? held_ : yielding_).push_back(i);
     }
 }
 
@@ -85,7 +85,22 @@ void FixCoupleFoam::apply(bool first)
   if (listed_ != atom->nlocal) list_free();
   if (more_) clay::push_inertial_spheres(yielding_, fluid_, more_, spheres(), random_.get(), update->dt, first, given_);
   else clay::push_spheres(yielding_, fluid_, spheres(), random_.get(), update->dt, first, given_);
-  clay::push_held_spheres(held_, fluid_, spheres(), atom->mask, mute_, random_.get(), update->dt, first, given_);
+  clay::push_held_spheres(held_, fluid_, more_, spheres(), moving_, mute_, random_.get(), update->dt, first, given_);
+  if (gravity_.changes()) follow_gravity(first);
+}
+
+/* ----------------------------------------------------------------------
+   a step's force acts by halves before and after it: so does gravity
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::follow_gravity(bool first)
+{
+  const clay::GroupGravity now = gravity_.now();
+  if (!first) {
+    mean_pull_.gather(last_pull_, 0.5 * update->dt);
+    mean_pull_.gather(now, 0.5 * update->dt);
+  }
+  last_pull_ = now;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -154,6 +169,9 @@ void FixCoupleFoam::tell_motions()
   clay::Interval interval;
   interval.time = update->get_cur_time() - last_time_;
   interval.gravity = usual_;
+  const clay::GroupGravity mean = interval.time > 0. ? mean_pull_.by(1. / interval.time) : clay::GroupGravity();
+  if (gravity_.changes()) interval.mean = &mean;
+  mean_pull_.clear();
   if (domain->xperiodic || domain->yperiodic || domain->zperiodic)
     interval.nearest = [this](double *d) { domain->minimum_image(d); };
 
@@ -164,6 +182,8 @@ void FixCoupleFoam::tell_motions()
     motions[b].known = bodies_->take_motion(b, motions[b].displacement.data(), motions[b].change.data());
     for (int k = 0; k < 3; k++) motions[b].lift[k] = bodies_->hydrostatic(b)[k] / bodies_->body_mass(b);
   }
+  // LIGGGHTS goes by the groups of one of a body's spheres
+  for (const BodySphere &s : spheres_) motions[s.body].groups = atom->mask[s.atom];
   clay::tell_body_motion(spheres_, motions, interval, free_.size(), sent_);
 }
 

@@ -21,7 +21,7 @@ using namespace LAMMPS_NS;
 
 /* ---------------------------------------------------------------------- */
 
-clay::StepState FixCoupleFoam::last_step() const { return {still_, more_, random_.get()}; }
+clay::StepState FixCoupleFoam::last_step() const { return {still_, more_, random_.get(), &moving_}; }
 
 /* ----------------------------------------------------------------------
    the last step of a run is shown whoever may ask

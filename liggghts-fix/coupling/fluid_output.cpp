@@ -50,10 +50,11 @@ FluidAction sphere_action(int i, double *const *fluid, const SphereArrays &spher
   if (step.random) step.random->force(i, row[Row::DRAG], kick);
   // -m_a dv/dt is in the force
   const double added = step.inertia ? step.inertia[i][InertiaRow::ADDED] / spheres.mass[i] : 0.;
+  const int held = step.moving ? step.moving->held(spheres.groups[i]) : 0;
   FluidAction a;
   for (int k = 0; k < 3; k++) {
     a.force[k] = row[Row::FORCE + k] + row[Row::HYDRO + k];
-    a.drag[k] = a.force[k] - row[Row::LOAD + k] - kick[k] + added * spheres.f[i][k];
+    a.drag[k] = a.force[k] - row[Row::LOAD + k] - kick[k] + (held >> k & 1 ? 0. : added * spheres.f[i][k]);
   }
   return a;
 }

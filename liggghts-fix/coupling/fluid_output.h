@@ -43,9 +43,10 @@ struct FluidAction {
 
 /// How the last step was done.
 struct StepState {
-  bool still = false;                   ///< particles were kept still: all of it is load + K u
-  double *const *inertia = nullptr;     ///< rows of InertiaRow; null without
-  const RandomForce *random = nullptr;  ///< a random force counts as force, not as drag
+  bool still = false;                    ///< particles were kept still: all of it is load + K u
+  double *const *inertia = nullptr;      ///< rows of InertiaRow; null without
+  const RandomForce *random = nullptr;   ///< a random force counts as force, not as drag
+  const MovingGroups *moving = nullptr;  ///< added mass acts along the axes that are not held; null: all
 };
 
 /// Of a sphere in no body, after the fluid's force was added to f. With added mass f must

@@ -52,6 +52,14 @@ struct Slot {
     *touched = 0.;
   }
 
+  // gravity as it was in the interval: what the spheres' motion is compared with
+  void recall(const Interval &interval, int groups, std::array<double, 3> &store)
+  {
+    if (!interval.mean) return;
+    store = interval.mean->on(groups);
+    gravity = store.data();
+  }
+
   // from its displacement [m] and the change of its velocity [m/s]; the impulse lacks
   // what the hydrostatic pressure gives to its mass [m/s2]
   void known(const Interval &interval, const double *displacement, const double *change, const double *lift, Odd &odd)
@@ -93,6 +101,8 @@ void tell_motion(const std::vector<int> &list, const SphereArrays &spheres, doub
       }
       if (interval.nearest) interval.nearest(displacement);
       Odd odd;
+      std::array<double, 3> mean;
+      slot.recall(interval, interval.mean ? spheres.groups[i] : 0, mean);
       slot.known(interval, displacement, change, lift, odd);
       *slot.touched = odd.touched();
     } else slot.unknown();
@@ -116,6 +126,8 @@ void tell_body_motion(const std::vector<BodySphere> &list, const std::vector<Bod
       double displacement[3];
       std::copy(b.displacement.begin(), b.displacement.end(), displacement);
       if (interval.nearest) interval.nearest(displacement);
+      std::array<double, 3> mean;
+      slot.recall(interval, b.groups, mean);
       slot.known(interval, displacement, b.change.data(), b.lift.data(), odd[list[n].body]);
     } else slot.unknown();
   }

@@ -18,8 +18,9 @@ using LAMMPS_NS::BodySphere;
 
 /// The time between two exchanges.
 struct Interval {
-  double time = 0;                  ///< [s]
-  std::array<double, 3> gravity{};  ///< where the message does not tell each sphere's [m/s2]
+  double time = 0;                     ///< [s]
+  std::array<double, 3> gravity{};     ///< where the message does not tell each sphere's [m/s2]
+  const GroupGravity *mean = nullptr;  ///< its mean over the interval, where it changes within it
   /// Takes whole periods of the box off a displacement [m]; may be empty.
   std::function<void(double *)> nearest;
 };
@@ -30,6 +31,7 @@ struct BodyMotion {
   std::array<double, 3> displacement{};  ///< of its centre of mass [m]
   std::array<double, 3> change{};        ///< of that one's velocity [m/s]
   std::array<double, 3> lift{};          ///< of the hydrostatic pressure, by its mass [m/s2]
+  int groups = 1;                        ///< bits of the groups by which gravity acts on it
 };
 
 /// Puts mean velocity, other forces than the fluid's and whether anything but gravity

@@ -12,16 +12,21 @@ MovingGroups moving_groups(const std::vector<FixEntry> &fixes)
     if (fix.style == "freeze" || fix.style == "move") found.holders |= fix.group;
     else if ((begins("nve") && !holds("noforce") && !holds("stationary")) || begins("multisphere"))
       found.movers |= fix.group;
+    for (int k = 0; k < 3; k++)
+      if (fix.sets >> k & 1) found.set.along[k] |= fix.group;
   }
   return found;
 }
 
-int frozen_above(const std::vector<FixEntry> &fixes, int mine)
+AxisGroups frozen_above(const std::vector<FixEntry> &fixes, int mine)
 {
-  int groups = 0;
-  for (int i = 0; i < mine; i++)
-    if (fixes[i].style == "freeze") groups |= fixes[i].group;
-  return groups;
+  AxisGroups found;
+  for (int i = 0; i < mine; i++) {
+    const int axes = fixes[i].style == "freeze" ? 7 : fixes[i].sets;
+    for (int k = 0; k < 3; k++)
+      if (axes >> k & 1) found.along[k] |= fixes[i].group;
+  }
+  return found;
 }
 
 }  // namespace clay

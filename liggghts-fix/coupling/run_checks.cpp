@@ -2,6 +2,7 @@
 #include "coupling/run_checks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -10,7 +11,10 @@
 #include "atom.h"
 #include "contacts/granular_script.h"
 #include "fix_multisphere.h"
+#include "fix_lineforce.h"
+#include "fix_planeforce.h"
 #include "fix_property_global.h"
+#include "fix_setforce.h"
 #include "clumps/fix_template_clay.h"
 #include "fix_wall_gran.h"
 #include "force.h"
@@ -21,7 +25,37 @@
 
 using namespace LAMMPS_NS;
 
+// fixes that set forces keep to themselves which
+template <int FixSetForce::*x, int FixSetForce::*y, int FixSetForce::*z, int FixSetForce::*region>
+struct SetForceAxes {
+  friend void set_axes(const FixSetForce &fix, clay::FixEntry &entry)
+  {
+    // 0 where the script says NULL
+    entry.sets = (fix.*x ? 1 : 0) | (fix.*y ? 2 : 0) | (fix.*z ? 4 : 0);
+    if (fix.*region >= 0) entry.odd = "acts in a region, and which particles it holds changes; give it a group instead";
+  }
+};
+void set_axes(const FixSetForce &fix, clay::FixEntry &entry);
+template struct SetForceAxes<&FixSetForce::xstyle, &FixSetForce::ystyle, &FixSetForce::zstyle, &FixSetForce::iregion>;
+
+template <double FixPlaneForce::*x, double FixPlaneForce::*y, double FixPlaneForce::*z>
+struct PlaneNormal {
+  friend std::array<double, 3> direction(const FixPlaneForce &fix) { return {{fix.*x, fix.*y, fix.*z}}; }
+};
+std::array<double, 3> direction(const FixPlaneForce &fix);
+template struct PlaneNormal<&FixPlaneForce::xdir, &FixPlaneForce::ydir, &FixPlaneForce::zdir>;
+
 namespace {
+
+// the axis of d is held, or all but it
+void hold_along(const std::array<double, 3> &d, bool itself, clay::FixEntry &entry)
+{
+  int axes = 0, other = 0;
+  for (int k = 0; k < 3; k++) (std::fabs(d[k]) > 1e-12 ? axes : other) |= 1 << k;
+  if (axes & (axes - 1))
+    entry.odd = "takes a direction between the axes, along which the drag cannot be solved; take an axis";
+  entry.sets = itself ? axes : other;
+}
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -79,7 +113,15 @@ std::vector<clay::FixEntry> LAMMPS_NS::script_fixes(LAMMPS *lmp)
   std::vector<clay::FixEntry> all;
   for (int i = 0; i < lmp->modify->nfix; i++) {
     Fix *fix = lmp->modify->fix[i];
-    all.push_back({fix->id, fix->style, (fix->setmask() & FixConst::POST_FORCE) != 0, fix->groupbit});
+    all.push_back({fix->id, fix->style, (fix->setmask() & FixConst::POST_FORCE) != 0, fix->groupbit, 0, ""});
+    if (const FixSetForce *set = dynamic_cast<FixSetForce *>(fix)) set_axes(*set, all.back());
+    else if (const FixPlaneForce *plane = dynamic_cast<FixPlaneForce *>(fix))
+      hold_along(direction(*plane), true, all.back());
+    else if (FixLineForce *line = dynamic_cast<FixLineForce *>(fix)) {
+      std::array<double, 3> d;
+      line->get_dir(d.data());
+      hold_along(d, false, all.back());
+    } else if (all.back().style == "enforce2d") all.back().sets = 4;
   }
   return all;
 }

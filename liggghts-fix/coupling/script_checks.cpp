@@ -54,6 +54,14 @@ void check_others(const std::vector<FixEntry> &fixes)
 
 /* ---------------------------------------------------------------------- */
 
+void check_holders(const std::vector<FixEntry> &fixes)
+{
+  for (const FixEntry &fix : fixes)
+    if (!fix.odd.empty()) throw std::invalid_argument("'fix " + fix.id + " " + fix.style + "' " + fix.odd);
+}
+
+/* ---------------------------------------------------------------------- */
+
 void check_last(const std::vector<FixEntry> &fixes, int mine)
 {
   for (std::size_t i = mine + 1; i < fixes.size(); i++) {

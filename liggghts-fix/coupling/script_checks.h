@@ -19,6 +19,9 @@ void check_order(const std::vector<FixEntry> &fixes, int mine);
 /// Fixes of another coupling take no part in this one, and another buoyancy would count twice.
 void check_others(const std::vector<FixEntry> &fixes);
 
+/// What a fix holds must be known by group and axis.
+void check_holders(const std::vector<FixEntry> &fixes);
+
 /// Added mass takes part of all other forces: each must stand above.
 void check_last(const std::vector<FixEntry> &fixes, int mine);
 

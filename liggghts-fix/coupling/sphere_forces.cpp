@@ -45,16 +45,22 @@ void push_spheres(const std::vector<int> &list, double *const *fluid, const Sphe
 
 /* ---------------------------------------------------------------------- */
 
-void push_held_spheres(const std::vector<int> &list, double *const *fluid, const SphereArrays &spheres,
-                       const int *groups, int mute, const RandomForce *random, double dt, bool first, double *all)
+void push_held_spheres(const std::vector<int> &list, double *const *fluid, double *const *inertia,
+                       const SphereArrays &spheres, const MovingGroups &moving, const AxisGroups &mute,
+                       const RandomForce *random, double dt, bool first, double *all)
 {
   for (int i : list) {
     double *s = fluid[i], kick[3] = {0., 0., 0.};
+    const int held = moving.held(spheres.groups[i]), muted = mute.axes(spheres.groups[i]);
+    const double added = inertia ? inertia[i][InertiaRow::ADDED] : 0.;
     if (random) random->force(i, s[Row::DRAG], kick);
     for (int k = 0; k < 3; k++) {
-      const double force = s[Row::LOAD + k] + kick[k] + s[Row::DRAG] * (s[Row::VELOCITY + k] - spheres.v[i][k]);
+      const double load = s[Row::LOAD + k] + kick[k], v = spheres.v[i][k];
+      const double force = held >> k & 1
+          ? load + s[Row::DRAG] * (s[Row::VELOCITY + k] - v)
+          : sphere_force(s[Row::DRAG], s[Row::VELOCITY + k], v, load, spheres.f[i][k], spheres.mass[i], added, dt);
       book(s, k, force - s[Row::HYDRO + k], dt, first, all);
-      if (!(groups[i] & mute)) spheres.f[i][k] += force;
+      if (!(muted >> k & 1)) spheres.f[i][k] += force;
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clumps/group_gravity.h"
+#include "coupling/moving_groups.h"
 
 namespace clay {
 
@@ -70,10 +71,12 @@ class RandomForce {
 void push_spheres(const std::vector<int> &list, double *const *fluid, const SphereArrays &spheres,
                   const RandomForce *random, double dt, bool first, double *all);
 
-/// The same for spheres that do not follow the forces on them: load + K (u - v), whatever
-/// dt. To f it is not added in the groups `mute`, by bits of the spheres' groups.
-void push_held_spheres(const std::vector<int> &list, double *const *fluid, const SphereArrays &spheres,
-                       const int *groups, int mute, const RandomForce *random, double dt, bool first, double *all);
+/// The same for spheres that do not follow the forces on them, along some axis at least: along
+/// that load + K (u - v), whatever dt. To f it is not added along the axes that `mute` has.
+/// inertia may be null; it acts along the other axes.
+void push_held_spheres(const std::vector<int> &list, double *const *fluid, double *const *inertia,
+                       const SphereArrays &spheres, const MovingGroups &moving, const AxisGroups &mute,
+                       const RandomForce *random, double dt, bool first, double *all);
 
 /// The same with added mass and torque: the sphere's own inertia m gets what it
 /// needs to be as fast as m + added would be under all other forces.

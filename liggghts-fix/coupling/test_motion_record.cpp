@@ -286,3 +286,46 @@ TEST(TellBodyMotion, wholePeriodsAndNewBodies)
   EXPECT_EQ(message[Field::meanVelocity][3 * 3 + 2], -0.5);
   EXPECT_DOUBLE_EQ(message[Field::otherForce][3 * 3 + 2], -2. * g);
 }
+
+// what changed within the interval is no other force, for a sphere and for a body
+TEST(TellMotion, gravityThatChangesWithinTheIntervalTouchesNothing)
+{
+  for (bool known : {true, false}) {
+    GroupGravity mean;
+    mean.add(1, {{0.2, 0., -0.5 * g}});
+    mean.add(4, {{0., 0.7, 0.}});
+    Interval now = interval();
+    if (known) now.mean = &mean;
+
+    Told t;
+    t.s.mask[0] = 1 | 4;
+    t.tell(now);
+    t.s.v[0][0] = 0.2 * T;
+    t.s.v[0][1] = 0.7 * T;
+    t.s.v[0][2] = -0.5 * g * T;
+    t.tell(now);
+    EXPECT_EQ(t.touched(), known ? 0. : 1.);
+    EXPECT_NEAR(t.other(2), -0.5 * g * mass, 1e-12 * mass);
+
+    BodyMotion b;
+    b.known = true;
+    b.groups = 1 | 4;
+    b.change = {{0.2 * T, 0.7 * T, -0.5 * g * T}};
+    const double arm[3] = {0., 0., 0.};
+    t.tell(now);
+    tell_body_motion({{0, 0, arm, 1.}}, {b}, now, 0, t.message);
+    EXPECT_EQ(t.touched(), known ? 0. : 1.);
+  }
+}
+
+TEST(GroupGravity, meanOverSteps)
+{
+  GroupGravity sum, step;
+  step.add(1, {{1., 2., 3.}});
+  step.add(4, {{0., 0., -1.}});
+  for (int n = 0; n < 4; n++) sum.gather(step, 0.5);
+  EXPECT_DOUBLE_EQ(sum.by(0.5).on(1)[1], 2.);
+  EXPECT_DOUBLE_EQ(sum.by(0.5).on(1 | 4)[2], 2.);
+  sum.clear();
+  EXPECT_EQ(sum.by(1.).on(1)[0], 0.);
+}

@@ -72,6 +72,14 @@ TEST(ScriptChecks, withAddedMassAllForcesStandAbove)
             "it in the script");
 }
 
+TEST(ScriptChecks, whatAFixHoldsIsKnownByGroupAndAxis)
+{
+  FixEntry hold = {"hold", "setforce", true, 1};
+  EXPECT_EQ(said([&] { check_holders({hold}); }), "");
+  hold.odd = "acts in a region";
+  EXPECT_EQ(said([&] { check_holders({hold}); }), "'fix hold setforce' acts in a region");
+}
+
 TEST(ScriptChecks, aRunEndsWithAnExchange)
 {
   EXPECT_EQ(said([] { check_interval(100, 20); }), "");

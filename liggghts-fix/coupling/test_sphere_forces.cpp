@@ -70,7 +70,7 @@ TEST(PushSpheres, impulseIsTheTrapezoidOfTheForces)
   SphereStore three(3);
   for (int i = 0; i < 3; i++) three.fluid[i][Row::LOAD + 1] = i + 1.;
   push_spheres({0, 2}, three.fluid.rows(), three.arrays(), nullptr, dt, false, all);
-  push_held_spheres({1}, three.fluid.rows(), three.arrays(), three.mask.data(), 0, nullptr, dt, false, all);
+  push_held_spheres({1}, three.fluid.rows(), nullptr, three.arrays(), {}, {}, nullptr, dt, false, all);
   push_inertial_spheres({1}, three.fluid.rows(), three.inertia.rows(), three.arrays(), nullptr, dt, false, all);
   EXPECT_EQ(all[0], 1.);
   double sum = 2.;
@@ -117,9 +117,9 @@ TEST(PushHeldSpheres, getTheWholeDragWhateverTheStep)
     SphereStore s = falling(dt);
     s.v[0][2] = -0.1;
     s.fluid[0][Row::HYDRO + 2] = load;
-    push_held_spheres({0}, s.fluid.rows(), s.arrays(), s.mask.data(), 0, nullptr, dt, true, given);
+    push_held_spheres({0}, s.fluid.rows(), nullptr, s.arrays(), {}, {}, nullptr, dt, true, given);
     EXPECT_DOUBLE_EQ(s.f[0][2], weight + load + K * (u + 0.1));
-    push_held_spheres({0}, s.fluid.rows(), s.arrays(), s.mask.data(), 0, nullptr, dt, false, given);
+    push_held_spheres({0}, s.fluid.rows(), nullptr, s.arrays(), {}, {}, nullptr, dt, false, given);
     EXPECT_NEAR(s.fluid[0][Row::IMPULSE + 2], dt * K * (u + 0.1), 1e-12 * dt * K);
   }
 }
@@ -128,9 +128,37 @@ TEST(PushHeldSpheres, whoseForcesWereTakenAwayGetNone)
 {
   SphereStore s = falling(1e-3);
   s.mask[0] = 1 | 4;
-  push_held_spheres({0}, s.fluid.rows(), s.arrays(), s.mask.data(), 4, nullptr, 1e-3, false, given);
+  AxisGroups frozen;
+  frozen.along = {4, 4, 4};
+  push_held_spheres({0}, s.fluid.rows(), nullptr, s.arrays(), {}, frozen, nullptr, 1e-3, false, given);
   EXPECT_EQ(s.f[0][2], weight);
   EXPECT_GT(s.fluid[0][Row::IMPULSE + 2], 0.);
+}
+
+// along an axis whose force a fix sets all of the drag, along the others that of a free sphere
+TEST(PushHeldSpheres, alongSomeAxesOnly)
+{
+  const double dt = 30.0, added = 0.3e-5;
+  MovingGroups moving;
+  moving.movers = 1;
+  moving.set.along = {0, 4, 0};
+  for (bool inertial : {false, true}) {
+    SphereStore s = falling(dt), free = falling(dt);
+    for (SphereStore *one : {&s, &free}) {
+      one->mask[0] = 1 | 4;
+      one->inertia[0][InertiaRow::ADDED] = added;
+      for (int k = 0; k < 3; k++) one->fluid[0][Row::VELOCITY + k] = 0.1 * (k + 1);
+    }
+    push_held_spheres({0}, s.fluid.rows(), inertial ? s.inertia.rows() : nullptr, s.arrays(), moving, {}, nullptr, dt,
+                      false, given);
+    if (inertial)
+      push_inertial_spheres({0}, free.fluid.rows(), free.inertia.rows(), free.arrays(), nullptr, dt, false, given);
+    else push_spheres({0}, free.fluid.rows(), free.arrays(), nullptr, dt, false, given);
+    EXPECT_NEAR(s.f[0][0], free.f[0][0], 1e-12 * K);
+    EXPECT_NEAR(s.f[0][1], K * 0.2, 1e-12 * K);
+    EXPECT_NEAR(s.f[0][2], free.f[0][2], 1e-12 * K);
+    EXPECT_LT(std::fabs(free.f[0][1]), 0.5 * K * 0.2);
+  }
 }
 
 TEST(PushInertialSpheres, movesAsItsMassAndTheAddedOne)

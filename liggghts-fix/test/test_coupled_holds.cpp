@@ -13,7 +13,8 @@ namespace {
 // two spheres at rest, the second one of group `held`; K dt/m is 7
 std::string script(const std::string &above, const std::string &below, const std::string &integrator = "all nve/sphere")
 {
-  return "atom_style granular\natom_modify map array\ncommunicate single vel yes\nboundary f f f\nnewton off\nunits si\n"
+  return "atom_style granular\natom_modify map array\ncommunicate single vel yes\nboundary f f f\nnewton off\n"
+         "units si\n"
          "region dom block -0.01 0.01 -0.01 0.01 -0.01 0.01 units box\ncreate_box 2 dom\nneighbor 0.0002 bin\n"
          "neigh_modify every 1 delay 0 check no\ntimestep 1e-4\n"
          "fix p1 all property/global kn peratomtypepair 2 50 50 50 50\n"

@@ -161,9 +161,12 @@ TEST(CoupledOutput, spheresOfClumpsAddUpToThem)
         const std::string bodies =
             "fix ill all particletemplate/clay illite seed 15485863 type 1 atom_types 1 2 radius 5e-4 density 2600\n"
             "fix ms all multisphere/clump\n"
-            "print 'ill 0 0 0.0003 0.923380516876639 0.307793505625546 0.205195670417031 0.102597835208515' file places.txt\n"
-            "print 'ill 0.005 0.001 -0.004 0.905821627315677 -0.339683110243379 0.226455406828919 0.11322770341446' append places.txt\n"
-            "print 'ill -0.005 0.001 0.004 0.881917103688197 -0.377964473009227 0.251976315339485 0.125988157669742' append places.txt\n"
+            "print 'ill 0 0 0.0003 0.923380516876639 "
+            "0.307793505625546 0.205195670417031 0.102597835208515' file places.txt\n"
+            "print 'ill 0.005 0.001 -0.004 0.905821627315677 "
+            "-0.339683110243379 0.226455406828919 0.11322770341446' append places.txt\n"
+            "print 'ill -0.005 0.001 0.004 0.881917103688197 "
+            "-0.377964473009227 0.251976315339485 0.125988157669742' append places.txt\n"
             "fix put all insert/placed file places.txt templates ill verbose no\n"
             "fix grav all gravity 9.81 vector 0 0 -1\nrun 0\nvelocity all set 0 0 0 units box\n";
         ASSERT_TRUE(run.run(opening() + bodies + "fix cpl all couple/foam every 5 contact_limit no " + drag + "\n" +

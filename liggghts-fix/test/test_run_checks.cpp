@@ -141,6 +141,21 @@ TEST(RunChecks, rayleighTime)
   EXPECT_TRUE(std::isinf(LAMMPS_NS::rayleigh_step(other.lmp.get())));
 }
 
+// 1, 2, 4: x, y, z
+TEST(RunChecks, axesThatFixesSet)
+{
+  const auto held = [](const std::string &fix) {
+    Host host;
+    host(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") + "fix nve all nve/sphere\n" + fix + "\n");
+    return LAMMPS_NS::moving_groups(host.lmp.get()).held(1);
+  };
+  EXPECT_EQ(held(""), 0);
+  EXPECT_EQ(held("fix h all setforce 0 NULL 0"), 1 | 4);
+  EXPECT_EQ(held("fix h all planeforce 0 2 0"), 2);
+  EXPECT_EQ(held("fix h all lineforce 0 2 0"), 1 | 4);
+  EXPECT_EQ(held("fix h all enforce2d"), 4);
+}
+
 TEST(RunChecks, limitsOfAPlateAtRest)
 {
   Host host;

@@ -4,10 +4,10 @@
 
 #include "FDICPreconditioner.H"
 #include "cyclicLduInterface.H"
+#include "objectRegistry.H"
 
 #include <Eigen/SparseCholesky>
 
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -44,25 +44,64 @@ struct Foam::keptFactorPreconditioner::factors
 namespace Foam
 {
 
-//- One for each mesh and equation
+//- The factors of an equation, kept by its mesh: they end with it
+class keptFactors
+:
+    public regIOobject
+{
+public:
+
+    TypeName("keptFactors");
+
+    const std::shared_ptr<keptFactorPreconditioner::factors> content;
+
+    explicit keptFactors(const IOobject& io)
+    :
+        regIOobject(io),
+        content(std::make_shared<keptFactorPreconditioner::factors>())
+    {}
+
+    virtual bool writeData(Ostream& os) const
+    {
+        return os.good();
+    }
+};
+
+defineTypeNameAndDebug(keptFactors, 0);
+
+
+//- One for each mesh and equation; a mesh that has no place for them, as the
+//  coarse ones of GAMG, keeps none
 static std::shared_ptr<keptFactorPreconditioner::factors> kept
 (
     const lduMesh& mesh,
     const word& equation
 )
 {
-    static std::map
-    <
-        std::pair<const lduMesh*, std::string>,
-        std::shared_ptr<keptFactorPreconditioner::factors>
-    > all;
-
-    auto& found = all[{&mesh, equation}];
-    if (!found)
+    if (!mesh.hasDb())
     {
-        found = std::make_shared<keptFactorPreconditioner::factors>();
+        return std::make_shared<keptFactorPreconditioner::factors>();
     }
-    return found;
+    const objectRegistry& db = mesh.thisDb();
+    const word name("clayFoam:factors:" + equation);
+    if (!db.foundObject<keptFactors>(name))
+    {
+        regIOobject::store
+        (
+            new keptFactors
+            (
+                IOobject
+                (
+                    name,
+                    db.instance(),
+                    db,
+                    IOobject::NO_READ,
+                    IOobject::NO_WRITE
+                )
+            )
+        );
+    }
+    return db.lookupObject<keptFactors>(name).content;
 }
 
 } // End namespace Foam

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exchange/test_shell.h"
@@ -106,4 +107,17 @@ TEST(DamagedOnItsWay, AMessageEndsBothHalvesWithALine) {
                   o.text.substr(0, o.text.find('\n')).c_str());
   }
   std::printf("%d of %zu damaged messages\n", done, all.size());
+}
+
+// too long or too short, of the first and of a later exchange: its size is what is said of it
+TEST(DamagedOnItsWay, AnAnnouncementOfAnotherSizeIsNamed) {
+  for (const auto& [way, bytes] : {std::pair{"0 length -8", "88"}, {"3 length 4000", "4096"}}) {
+    const Outcome o =
+        run("resume", 2, 2, std::string("TEST_DAMAGE='DEM 7403 ") + way + "' CLAYFOAM_TIMEOUT=20");
+    const std::string reason =
+        std::string("the announcement of DEM rank 0: it holds ") + bytes + " bytes of 96";
+    EXPECT_NE(o.code, 0) << o.text;
+    EXPECT_TRUE(o.says("test_cfd_half: " + reason)) << o.text;
+    EXPECT_TRUE(o.says("test_dem_half: stopped: the CFD half ended: " + reason)) << o.text;
+  }
 }

@@ -66,8 +66,9 @@ INSTANTIATE_TEST_SUITE_P(
             "interpolation cellPoint;",
             ""},
         Way{"ownDisturbance", "selfDisturbance latticeMemory; voidFractionModel divided;", ""},
-        // the upper rank holds no face of the floor, the lower none of the lid
-        Way{"fluxPressure", "", "bottomP fixedFluxPressure;"}),
+        // the upper rank holds no face of the floor, the lower none of the lid; at the sides the
+        // spheres' force reaches the wall
+        Way{"fluxPressure", "", "bottomP fixedFluxPressure; sideP fixedFluxPressure;"}),
     [](const auto& info) { return info.param.name; });
 
 /// A box, periodic along all axes, with a lattice of spheres that drift through

@@ -118,7 +118,11 @@ TEST(Failure, AFluidThatIsNoNumberIsNamed) {
 TEST(Failure, AMissingCaseIsNamed) {
   auto run = smallColumn("no-mesh");
   ASSERT_NE(run.run(), 0);
-  EXPECT_TRUE(run.says("Cannot find file \"points\" in directory \"polyMesh\"")) << run.log();
+  const std::string reason = "Cannot find file \"points\" in directory \"polyMesh\"";
+  EXPECT_TRUE(run.says("clayFoam: " + reason)) << run.log();
+  EXPECT_TRUE(run.says("standInDem: stopped: the CFD half ended: " + reason)) << run.log();
+  // said once, and not in OpenFOAM's own frame
+  EXPECT_FALSE(run.says("FOAM FATAL")) << run.log();
 }
 
 namespace {

@@ -54,7 +54,7 @@ class Ended:
     why it has not passed, "" if it has."""
 
     def __init__(self, tell):
-        self.tell, self.names, self.running = tell, set(), None
+        self.tell, self.names, self.running = tell, set(), set()
         self._failed, self._output = None, []
 
     def take(self, line):
@@ -63,7 +63,7 @@ class Ended:
         if start or result or _SUMMARY.match(line):
             self.close()
         if start:
-            self.running = start.group(1)
+            self.running.add(start.group(1))
         elif result:
             name, status = result.groups()
             if status == "Passed":
@@ -83,7 +83,7 @@ class Ended:
 
     def _end(self, name, reason):
         self.names.add(name)
-        self.running = None
+        self.running.discard(name)
         self.tell(name, reason)
 
 

@@ -1,6 +1,7 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """A plugin of pytest: writes what happens to each test as a line of JSON into the
-pipe of --rows-to as it happens, and ends a test that takes too long.
+pipe of --rows-to as it happens, and ends a test that takes too long. Several of
+pytest that have the same empty folder as --share run each test once among them.
 
 Lines: {"listed": [id, ...]}, {"began": id}, {"ended": id, "reason": ""}, where
 the reason says why the test has not passed."""
@@ -19,11 +20,42 @@ class TooLong(Exception):
 def pytest_addoption(parser):
     parser.addoption("--rows-to", type=int, metavar="FD", help="file descriptor for a line of JSON a test")
     parser.addoption("--limit", type=float, default=300.0, metavar="S", help="seconds a test may take (300)")
+    parser.addoption("--share", metavar="FOLDER", help="runs only the tests that no other with this folder has taken")
 
 
 def pytest_configure(config):
     if config.getoption("--rows-to") is not None:
         config.pluginmanager.register(Rows(config.getoption("--rows-to"), config.getoption("--limit")))
+    if config.getoption("--share"):
+        config.pluginmanager.register(Shared(config.getoption("--share")))
+
+
+class Shared:
+    """Runs the tests that it is the first to take, one after the other."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def _taken(self, number):
+        """Takes a test; False when another one has it already."""
+        try:
+            os.close(os.open(os.path.join(self.folder, str(number)), os.O_CREAT | os.O_EXCL))
+        except FileExistsError:
+            return False
+        return True
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtestloop(self, session):
+        if session.testsfailed or session.config.option.collectonly:
+            return None  # pytest itself says what is wrong
+        mine = (item for number, item in enumerate(session.items) if self._taken(number))
+        item = next(mine, None)
+        while item:
+            # what both need, such as a module's fixtures, is kept for the next
+            following = next(mine, None)
+            item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
+            item = following
+        return True
 
 
 class Rows:

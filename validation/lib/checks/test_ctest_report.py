@@ -53,7 +53,23 @@ def test_each_test_with_its_reason():
 def test_what_has_ended_is_known_when_the_rest_never_comes():
     found, ended = rows(SAID[:SAID.index("  3/6")])
     assert list(found) == ["exchange.Fields.Differ", "dem.Curve.Falls"]
-    assert ended.running == "slow"
+    assert ended.running == {"slow"}
+
+
+def test_several_at_once():
+    found, ended = rows("""        Start   1: slow
+        Start   2: dies
+        Start   3: good
+  1/3 Test   #3: good ............................................   Passed    0.01 sec
+  2/3 Test   #2: dies ............................................***Failed    0.15 sec
+test_dies.cpp:12: Failure
+Expected equality of these values:
+
+        Start   4: last
+  3/3 Test   #1: slow ............................................   Passed    4.15 sec
+""")
+    assert list(found.items()) == [("good", ""), ("dies", "Failed: test_dies.cpp:12: Failure"), ("slow", "")]
+    assert ended.running == {"last"}
 
 
 def test_disabled_tests_and_idle_programs():

@@ -5,6 +5,7 @@ import json
 import os
 import subprocess
 import sys
+from concurrent import futures
 
 from cases.lib.case.casefile import TOP
 
@@ -57,3 +58,19 @@ def test_a_file_that_cannot_be_read_is_told(tmp_path):
     (tmp_path / "test_bad.py").write_text("import nothing_of_this_name\n")
     ended = [line for line in told(tmp_path) if "ended" in line]
     assert len(ended) == 1 and "nothing_of_this_name" in ended[0]["reason"]
+
+
+def test_of_several_that_share_each_test_runs_once(tmp_path):
+    for name in ("one", "two"):
+        (tmp_path / f"test_{name}.py").write_text("import time, pytest\n@pytest.fixture(scope='module')\ndef made(): "
+                                                  "yield 1\n" + "".join(
+                                                      f"def test_{k}(made): time.sleep(0.1)\n" for k in range(10)))
+    (tmp_path / "taken").mkdir()
+    with futures.ThreadPoolExecutor(2) as pool:
+        both = list(pool.map(lambda _: told(tmp_path, "--share", str(tmp_path / "taken")), range(2)))
+    listed = both[0][0]["listed"]
+    assert both[1][0]["listed"] == listed and len(listed) == 20
+    ended = [[line["ended"] for line in lines if "ended" in line] for lines in both]
+    assert sorted(ended[0] + ended[1]) == sorted(listed)
+    assert all(ended)
+    assert not any(line.get("reason") for lines in both for line in lines)

@@ -15,7 +15,7 @@ LIMIT = 90  # [s] for a run to end once something was done to it
 PROGRAMS = {"DEM half": "liggghts-clay", "CFD half": "clayFoam", "mpirun": "mpirun"}
 
 
-def patience():
+def slowdown():
     """How many times longer than on a machine with nothing else to do things may take here."""
     return max(1.0, os.getloadavg()[0] / (os.cpu_count() or 1))
 
@@ -78,7 +78,7 @@ class Run:
 
     def until(self, ready, seconds=60.0):
         """Waits for a condition; False when the run ended or the time is over before."""
-        end = time.monotonic() + seconds * patience()
+        end = time.monotonic() + seconds * slowdown()
         while self.look() and time.monotonic() < end:
             if ready():
                 return True
@@ -113,13 +113,13 @@ class Run:
     def end(self, limit=LIMIT):
         """Waits for the end; (exit code or None, seconds)."""
         began = time.monotonic()
-        while self.look() and time.monotonic() - began < limit * patience():
+        while self.look() and time.monotonic() - began < limit * slowdown():
             time.sleep(0.02)
         return self.process.poll(), time.monotonic() - began
 
     def left(self, seconds=10.0):
         """Names of processes that are there still, after that time at most."""
-        end = time.monotonic() + seconds * patience()
+        end = time.monotonic() + seconds * slowdown()
         while time.monotonic() < end and any(runs(p) for p in self.known):
             time.sleep(0.05)
         return sorted(name for p, name in self.known.items() if runs(p))

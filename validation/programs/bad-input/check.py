@@ -4,6 +4,7 @@
 import json
 import os
 import re
+from concurrent import futures
 
 from cases.lib.case import openfoam
 from cases.lib.run import launch
@@ -64,31 +65,42 @@ def _same(reason):
     return re.sub(r" *\([^()]*\.(cpp|h):\d+\)$", "", reason)
 
 
+def _tried(number, item):
+    """Outcomes of preparing a run and of running it, broken as the item says; None where there was none."""
+    options = [o for s in item.get("set", []) for o in ("--set", s)]
+    prepared, folder = coupled.case("clump-half", f"bad-input/{number:02d}", "--dry-run", "--end", "0.02", *options,
+                                    limit=60)
+    if prepared.status != 0:
+        return prepared, None
+    _break(folder, item)
+    outcome = coupled.execute(["sh", "-c", _script(folder, item)], 60)
+    with open(os.path.join(folder, "output"), "w", encoding="utf-8") as f:
+        f.write(outcome.output)
+    return prepared, outcome
+
+
 def run(checks):
     with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "inputs.json"),
               encoding="utf-8") as f:
         items = json.load(f)
-    for number, item in enumerate(items):
-        what = item["input"]
-        options = [o for s in item.get("set", []) for o in ("--set", s)]
-        outcome, folder = coupled.case("clump-half", f"bad-input/{number:02d}", "--dry-run",
-                                       "--end", "0.02", *options, limit=60)
-        if outcome.status != 0:
-            checks.true(f"{what}: prepared", False, outcome.output.strip()[-200:])
-            continue
-        _break(folder, item)
-        outcome = coupled.execute(["sh", "-c", _script(folder, item)], 60)
-        with open(os.path.join(folder, "output"), "w", encoding="utf-8") as f:
-            f.write(outcome.output)
-        reasons = _reasons(outcome.output)
-        # as cases/run does: a half that tells of the other's end comes second
-        first = [r for r in reasons if not launch.AFTERMATH.search(r)]
-        said = (first or reasons or [""])[0]
-        missing = [w for w in item["says"] if w.lower() not in said.lower()]
-        ended = outcome.status not in (0, None)
-        checks.true(f"{what}: ends, exit code not 0", ended, outcome.status)
-        checks.at_most(f"{what}: seconds", outcome.seconds, SECONDS)
-        different = sorted({_same(r) for r in first})
-        checks.true(f"{what}: one line, one reason", reasons and len(different) <= 1, " | ".join(different))
-        checks.true(f"{what}: the line names it", not missing,
-                    said if missing else "", "lacks: " + ", ".join(missing) if missing else "")
+    # two at once: much of each is a wait for mpirun's start or for one rank
+    with futures.ThreadPoolExecutor(min(2, launch.cores())) as pool:
+        for item, (prepared, outcome) in zip(items, pool.map(_tried, range(len(items)), items)):
+            _judge(checks, item["input"], item["says"], prepared, outcome)
+
+
+def _judge(checks, what, says, prepared, outcome):
+    if outcome is None:
+        checks.true(f"{what}: prepared", False, prepared.output.strip()[-200:])
+        return
+    reasons = _reasons(outcome.output)
+    # as cases/run does: a half that tells of the other's end comes second
+    first = [r for r in reasons if not launch.AFTERMATH.search(r)]
+    said = (first or reasons or [""])[0]
+    missing = [w for w in says if w.lower() not in said.lower()]
+    checks.true(f"{what}: ends, exit code not 0", outcome.status not in (0, None), outcome.status)
+    checks.at_most(f"{what}: seconds", outcome.seconds, SECONDS)
+    different = sorted({_same(r) for r in first})
+    checks.true(f"{what}: one line, one reason", reasons and len(different) <= 1, " | ".join(different))
+    checks.true(f"{what}: the line names it", not missing,
+                said if missing else "", "lacks: " + ", ".join(missing) if missing else "")

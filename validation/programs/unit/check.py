@@ -5,12 +5,14 @@ import json
 import os
 import subprocess
 
+from cases.lib.run import launch
 from validation.lib.checks import coupled, ctest_report
 from validation.lib.checks.coupled import TOP
 from validation.lib.checks.verdicts import Broken
 
 TITLE = "the unit tests in C++ (ctest)"
 LIMIT = 300  # [s] for a test that has no limit of its own; the longest of these is 600 s
+_WAITING = 1  # more tests at once than cores: many wait, for mpirun or for a time-out
 _SILENCE = 900.0  # [s] without a word, after which ctest itself is ended
 _BUILD = os.path.join(TOP, "build")
 _HALVES = ("exchange", "liggghts-fix", "foam-coupling")
@@ -43,14 +45,16 @@ def _none(checks, question, found):
 def run(checks):
     listed = _listed()
     ended = ctest_report.Ended(lambda name, reason: checks.true(name, not reason, reason))
-    ctest = subprocess.Popen(["ctest", "--test-dir", _BUILD, "--output-on-failure", "--timeout", str(LIMIT)], cwd=TOP,
+    ctest = subprocess.Popen(["ctest", "--test-dir", _BUILD, "--output-on-failure", "--timeout", str(LIMIT),
+                              f"-j{launch.cores() + _WAITING}"], cwd=TOP,
                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              start_new_session=True)
     for line in coupled.lines(ctest, ctest.stdout.fileno(), _SILENCE):
         ended.take(line.decode(errors="replace"))
     ended.close()
     ctest.wait()
-    _none(checks, "tests that ctest lists and has not run", [n for n in listed.names if n not in ended.names])
+    _none(checks, "tests that ctest lists and has not run",
+          [n + (" (begun)" if n in ended.running else "") for n in listed.names if n not in ended.names])
     _none(checks, "tests that are disabled", listed.disabled)
     files = _test_files()
     with open(os.path.join(_BUILD, "compile_commands.json"), encoding="utf-8") as f:

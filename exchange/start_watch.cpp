@@ -19,7 +19,7 @@ namespace clay {
 namespace {
 
 // The first rank speaks first, if it runs; mpirun then ends the others
-double patience() {
+double startLimit() {
   const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
   const double longest = 1e8;  // [s], which the clock can count
   return std::min(silenceLimit(), longest) + (rank && std::strcmp(rank, "0") != 0 ? 1 : 0);
@@ -28,7 +28,7 @@ double patience() {
 }  // namespace
 
 StartWatch::StartWatch() {
-  const double limit = patience();
+  const double limit = startLimit();
   // the host's handlers run in the host's thread
   sigset_t all, before;
   sigfillset(&all);

@@ -87,7 +87,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::carryingFlux::operator()
 
     scalarField& psi = psi_.primitiveFieldRef();
     psi = Zero;
-    // the lone ldu solve: fvMatrix would leave a record of each in the mesh
+    // the solve of ldu alone: fvMatrix would leave a record of each in the mesh
     lduMatrix::solver::New
     (
         psi_.name(),

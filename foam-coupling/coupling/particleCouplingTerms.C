@@ -34,7 +34,7 @@ clay::RankBoxes Foam::particleCoupling::boxes() const
     const boundBox mine(mesh_.points(), false);
     clay::RankBoxes all{box(mine)};
 
-    // a lone rank gets all particles, and finds their images itself
+    // a single rank gets all particles, and finds their images itself
     if (Pstream::parRun() && mesh_.nCells())
     {
         for (const vector& way : mapping_->images())

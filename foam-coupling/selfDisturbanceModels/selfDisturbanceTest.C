@@ -216,7 +216,7 @@ TEST(selfDisturbance, excessOfSuspensions)
 }
 
 
-// a lone sphere's steady drag in one cell, from the mesh's own response
+// a single sphere's steady drag in one cell, from the mesh's own response
 TEST(selfDisturbance, steadyPointForce)
 {
     const test::meshCase c

@@ -127,7 +127,7 @@ TEST(StokesResistance, OfTheTouchingDoubletIsTheExactOne)
   const auto s = stokesResistance(spheres({{0, 0, 1}, {0, 0, -1}}), Vector3d::Zero());
   // along the axis: Stimson and Jeffery (1926), in the limit of contact
   EXPECT_NEAR(s.R(2, 2) / (12 * pi), 0.6451, 0.002 * 0.6451);
-  // turning about the axis: 3/4 zeta(3) of two lone spheres, Jeffery (1915)
+  // turning about the axis: 3/4 zeta(3) of two single spheres, Jeffery (1915)
   EXPECT_NEAR(s.R(5, 5) / (16 * pi), 0.75 * 1.2020569, 0.002);
 }
 

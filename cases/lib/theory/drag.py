@@ -29,7 +29,7 @@ def reynolds(n, slip, d, nu):
 
 
 def stokes(d, nu, rho):
-    """Coefficient of a lone sphere in Stokes flow, 18 mu/d2 [kg/(m3 s)]."""
+    """Coefficient of a single sphere in Stokes flow, 18 mu/d2 [kg/(m3 s)]."""
     return 18.0 * nu * rho / d**2
 
 
@@ -212,7 +212,7 @@ def balance_slip(drag_law, n, d, nu, rho, drho, g=9.81):
 
 
 def terminal_velocity(d, rho_p, rho_f, mu, g=9.81, drag_law="SchillerNaumann"):
-    """Terminal velocity [m/s] of a lone sphere, downwards positive, by a
+    """Terminal velocity [m/s] of a single sphere, downwards positive, by a
     drag law at n = 1; d [m] a number, densities [kg/m3], mu [Pa s]."""
     drho = rho_p - rho_f
     if drho == 0.0:

@@ -255,6 +255,7 @@ void FixCoupleFoam::take_body_answers()
     for (int b = 0; b < nbody; b++) bodies_->set_drag(b, drag[b]);
   }
 
+  const bool added = answer_.fields().has(Field::addedMass);
   std::vector<std::array<double, 7>> sums(nbody);
   int slot = first;
   for (const BodySphere &s : spheres_) {
@@ -263,7 +264,7 @@ void FixCoupleFoam::take_body_answers()
       sum[k] += fluid_[s.atom][Row::LOAD + k];
       sum[3 + k] += fluid_[s.atom][Row::HYDRO + k];
     }
-    if (more_) sum[6] += answer_[Field::addedMass][slot++];
+    if (added) sum[6] += answer_[Field::addedMass][slot++];
   }
   for (int b = 0; b < nbody; b++) bodies_->set_loads(b, sums[b].data(), sums[b].data() + 3, sums[b][6]);
 

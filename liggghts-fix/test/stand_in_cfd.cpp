@@ -3,7 +3,7 @@
 /// A CFD half for tests of the DEM half, on one rank: a fluid that moves and drags as
 /// it is told, whatever it gets. Arguments are key=value: half (the box's half width
 /// [m]), K [kg/s], u, rate (u grows by rate z along x [1/s]), force [N], rho (of the
-/// buoyancy; 0: none), added [kg], n, late, g [m/s2], out. A sphere's K is (1 + 0.1 sin(number)) of
+/// buoyancy; 0: none), added [kg], turn [N m s], n, late, g [m/s2], out. A sphere's K is (1 + 0.1 sin(number)) of
 /// the one given, its n that times n. Writes what it was told of each exchange as JSON.
 #include <cmath>
 #include <fstream>
@@ -75,6 +75,10 @@ clay::CfdTerms terms(const Settings &s)
   t.accepts = {Field::dragDiameter, Field::dragFactor, Field::gravity};
   t.offers = {Field::dragCoefficient, Field::fluidVelocity, Field::force, Field::voidFraction};
   if (s.number("added", 0) > 0) t.offers.add(Field::addedMass);
+  if (s.number("turn", 0) > 0) {
+    t.offers.add(Field::turnCoefficient);
+    t.offers.add(Field::fluidSpin);
+  }
   return t;
 }
 
@@ -113,6 +117,10 @@ void fill(const clay::Particles &p, const Settings &s, clay::Particles &answer)
     answer[Field::fluidVelocity][3 * i] += rate * p[Field::position][3 * i + 2];
     answer[Field::force][3 * i + 2] += rho * g * p[Field::volume][i];
     if (answer.fields().has(Field::addedMass)) answer[Field::addedMass][i] = s.number("added", 0) * vary;
+    if (answer.fields().has(Field::turnCoefficient)) {
+      answer[Field::turnCoefficient][i] = s.number("turn", 0) * vary;
+      std::fill_n(answer[Field::fluidSpin] + 3 * i, 3, 0.);
+    }
     if (answer.fields().has(Field::voidFraction)) answer[Field::voidFraction][i] = s.number("n", 0.5) * vary;
   }
 }

@@ -154,7 +154,7 @@ TEST(CoupledOutput, sumOfForcesIsWhatTheLedgerIsTold)
 TEST(CoupledOutput, spheresOfClumpsAddUpToThem)
 {
   for (const std::string drag : {"", "clumpDrag resistance"})
-    for (const std::string added : {"", " added=1e-6"}) {
+    for (const std::string added : {"", " added=1e-6", " turn=1e-12"}) {
       Dump first, firstBodies;
       for (int ranks : {1, 2}) {
         BesideStandIn run("clumps-" + std::to_string(ranks), ranks);

@@ -264,7 +264,6 @@ void Foam::particleCoupling::solved()
             shareOwned(now);
             forces_.reacting += now - pressureForce_;
         }
-        solids_.update(particles_, forces_.K, forces_.u, sumShared_);
         answer();
     }
     if (properties_.verbose())

@@ -381,8 +381,8 @@ TEST(WriteFields, DragSumsUpToTheWeightItCarries) {
   }
 }
 
-// The field's sum over the cells is what the DEM half makes of the same answers, also where the
-// fluid is solved before these are given; n at the spheres is that of their cells
+// The field's sum over the cells is what the DEM half makes of the last answers, whether drag was
+// stiff or not; n at the spheres is that of their cells
 TEST(WriteFields, DragSumsUpToWhatTheParticlesGet) {
   for (const double nu : {1e-6, 0.1}) {
     CoupledRun run(nu > 1e-3 ? "writeFields-stiff" : "writeFields-light");

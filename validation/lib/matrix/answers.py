@@ -13,6 +13,8 @@ from validation.lib.checks.verdicts import Broken
 from validation.lib.matrix import scene
 
 _PERIOD = 8e-3  # of x [m]
+# what fix couple/foam shows of a sphere, and its columns
+_SHOWN = (("fluid's force", 1, 3), ("drag", 4, 6), ("fluid's velocity", 7, 9), ("void fraction shown", 10, 10))
 
 
 def read(folder, row):
@@ -72,8 +74,12 @@ def _grains(dump):
         return np.column_stack([dump[n] for n in names])
     force = np.zeros((index.max() + 1, 3))
     np.add.at(force, index, vectors("fx", "fy", "fz"))
-    return {"position": vectors("x", "y", "z"), "velocity": vectors("vx", "vy", "vz"),
-            "spin": vectors("omegax", "omegay", "omegaz"), "force": force}
+    found = {"position": vectors("x", "y", "z"), "velocity": vectors("vx", "vy", "vz"),
+             "spin": vectors("omegax", "omegay", "omegaz"), "force": force}
+    if "f_fluid[1]" in dump:
+        for name, first, last in _SHOWN:
+            found[name] = vectors(*(f"f_fluid[{k}]" for k in range(first, last + 1)))
+    return found
 
 
 def _labels(path):

@@ -42,6 +42,7 @@ AXES = {
     "thermal": ("no", "yes"),                           # fix brownian
     "films": ("no", "yes"),                             # fix lubrication
     "charges": ("no", "yes"),                           # pair coul/clump
+    "shown": ("no", "yes"),                             # f_ID[k] of fix couple/foam in a dump
 }
 
 # axes whose values are names the CFD half knows; "force": each of forceModels

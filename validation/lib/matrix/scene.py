@@ -115,7 +115,7 @@ def _dem(row):
             "body_type": 2 if row["bodies"] == "both" else 1, "body": "id" if row["bodies"] == "spheres" else "mol",
             "spheres": int(row["bodies"] in ("spheres", "both")), "clumps": int(row["bodies"] != "spheres"),
             "walls": int(wall), "clump_drag": "resistance" if row["bodies"] in ("resistance", "both") else "sphereSum",
-            **{key: int(row[key] == "yes") for key in ("charges", "films", "thermal")}, "lag": row["lag"]}
+            **{key: int(row[key] == "yes") for key in ("charges", "films", "thermal", "shown")}, "lag": row["lag"]}
 
 
 def write(folder, row, substitutes=None):

@@ -173,7 +173,7 @@ class Suspension {
     t.offers = {Field::position,   Field::radius,  Field::volume, Field::velocity,
                 Field::tag,        Field::impulse, Field::mass,   Field::meanVelocity,
                 Field::otherForce, Field::touched};
-    t.needs = {Field::dragCoefficient, Field::fluidVelocity, Field::force, Field::voidFraction};
+    t.needs = {Field::dragCoefficient, Field::fluidVelocity, Field::force};
     return t;
   }
 
@@ -202,7 +202,8 @@ class Suspension {
       for (std::size_t c = 0; c < 3; ++c)
         sum[c] += answer[Field::dragCoefficient][i] *
                   (answer[Field::fluidVelocity][3 * i + c] - spheres[i].v[c]);
-      sum[3] += answer[Field::voidFraction][i] / static_cast<double>(spheres.size());
+      if (answer.fields().has(Field::voidFraction))
+        sum[3] += answer[Field::voidFraction][i] / static_cast<double>(spheres.size());
     }
     return sum;
   }
@@ -257,6 +258,8 @@ int run(const Settings& s) {
   Suspension suspension(s);
   if (!s.text("load").empty()) suspension.load(s.text("load"));
   auto terms = suspension.terms(s);
+  const double fractionFrom = s.number("fractionFrom", 0);  // the first run that reads it
+  if (!(fractionFrom > 0)) terms.needs.add(Field::voidFraction);
   clay::DemSession session(terms);
   nlohmann::json history = nlohmann::json::array();
 
@@ -265,6 +268,7 @@ int run(const Settings& s) {
     const double length = terms.endTime - terms.startTime;
     terms.startTime = terms.endTime;
     terms.endTime += length;
+    if (further >= fractionFrom) terms.needs.add(Field::voidFraction);
     session.resume(terms);
     march(session, suspension, terms, s, history);
   }

@@ -271,3 +271,17 @@ TEST(Restart, FollowsAFurtherRunOfTheDemHalf) {
   EXPECT_EQ(two.cfd()["exchanges"], 22);
   EXPECT_LT(two.cfd()["max_momentum_residual"], 1e-10);
 }
+
+// a further run may read more of the fluid than the one before
+TEST(Restart, AnswersWhatAFurtherRunReads) {
+  auto two = smallColumn("two-runs-read");
+  two.dem("runs", 2).dem("fractionFrom", 1);
+  ASSERT_EQ(two.meshAndRun(), 0) << two.log();
+  const auto history = two.history();
+  ASSERT_EQ(history.size(), 22u);
+  EXPECT_EQ(history[10]["answered"][3], 0);
+  for (std::size_t e = 11; e < 22; ++e) {
+    EXPECT_GT(history[e]["answered"][3], 0.5);
+    EXPECT_LE(history[e]["answered"][3], 1);
+  }
+}

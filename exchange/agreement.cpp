@@ -153,6 +153,17 @@ std::string times(const DemTerms& dem, const CfdTerms& cfd) {
   return "";
 }
 
+std::string pairs(const DemTerms& dem, const CfdTerms& cfd) {
+  if (dem.pair == cfd.pair) return "";
+  const auto from = [](double pair) {
+    char s[48];
+    std::snprintf(s, sizeof s, "from the saved pair %.0f", pair);
+    return pair > 0 ? std::string(s) : std::string("from no saved pair");
+  };
+  return "the halves do not start from the same saved state: the DEM half goes on " +
+         from(dem.pair) + ", the CFD half " + from(cfd.pair);
+}
+
 std::string gravities(const DemTerms& dem, const CfdTerms& cfd) {
   if (!dem.hasGravity || !cfd.gravity) return "";
   double size = 0;
@@ -212,7 +223,8 @@ std::string disagreement(const DemTerms& dem, const CfdTerms& cfd) {
     return "the halves speak different versions of the exchange: " + std::to_string(dem.wire) +
            " in the DEM half (" + dem.program + "), " + std::to_string(cfd.wire) +
            " in the CFD half (" + cfd.program + ")";
-  for (auto check : {oneHalfAlone, noNumbers, directions, times, gravities, fields, periods}) {
+  for (auto check :
+       {oneHalfAlone, noNumbers, directions, times, pairs, gravities, fields, periods}) {
     std::string line = check(dem, cfd);
     if (!line.empty()) return line;
   }

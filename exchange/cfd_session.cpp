@@ -53,6 +53,7 @@ struct CfdSession::Impl {
   int particles = 0;
   double time = 0, interval = 0, reported = 0;
   bool late = false, last = false, open = false, closeReceived = false;
+  SavedPair pair;
   std::array<double, 3> impulse{};
   Timing timing;
 
@@ -151,6 +152,7 @@ void CfdSession::Impl::takeState(Particles& list) {
   time = remotes[0].announced.time;
   interval = remotes[0].announced.interval;
   last = remotes[0].announced.last != 0;
+  pair = {remotes[0].announced.pair, remotes[0].announced.step};
   impulse = {};
   particles = 0;
   for (auto& remote : remotes) {
@@ -219,6 +221,7 @@ const Timing& CfdSession::timing() const { return impl_->timing; }
 double CfdSession::time() const { return impl_->time; }
 double CfdSession::interval() const { return impl_->interval; }
 bool CfdSession::last() const { return impl_->last; }
+const SavedPair& CfdSession::pair() const { return impl_->pair; }
 std::array<double, 3> CfdSession::impulse() const { return impl_->impulse; }
 
 CfdSession::Event CfdSession::next(Particles& particles) {

@@ -123,9 +123,12 @@ void checkHeader(const Header& h, const Known& known) {
   if (h.count == 0 && (h.shares != 0 || h.stateSeal != 0))
     throw Damaged("it announces the sharers of no particles");
   for (double j : h.impulse) number(j, "its impulse");
+  whole(h.pair, 0, largestPairNumber, "its number of a saved pair");
+  whole(h.step, 0, 1e15, "the step of its saved pair");
+  if (h.pair == 0 && h.step != 0) throw Damaged("it states the step of no saved pair");
 
   if (kind != Kind::state) {
-    if (h.time != known.time || h.count != 0 || h.interval != 0)
+    if (h.time != known.time || h.count != 0 || h.interval != 0 || h.pair != 0)
       throw Damaged("it ends a run and announces a state");
     if (kind == Kind::resume && !known.over)
       throw Damaged("it begins a further run before the last state of this one");
@@ -144,7 +147,7 @@ void checkHeader(const Header& h, const Known& known) {
 
 void checkAlike(const Header& first, const Header& other) {
   if (other.kind != first.kind || other.time != first.time || other.last != first.last ||
-      other.exchange != first.exchange)
+      other.exchange != first.exchange || other.pair != first.pair || other.step != first.step)
     throw Damaged("it is not where the first rank is: kind " + text(other.kind) + ", exchange " +
                   text(other.exchange) + ", time " + text(other.time) + " s");
 }

@@ -232,7 +232,7 @@ const FieldSet& DemSession::receives() const { return impl_->receives; }
 const Timing& DemSession::timing() const { return impl_->timing; }
 
 void DemSession::send(const Particles& particles, double time, bool last,
-                      const std::array<double, 3>& impulse) {
+                      const std::array<double, 3>& impulse, const SavedPair& pair) {
   auto& s = *impl_;
   const auto& world = World::instance();
   FieldSet needed = s.sends;
@@ -262,6 +262,8 @@ void DemSession::send(const Particles& particles, double time, bool last,
     h.count = static_cast<double>(n);
     h.shares = static_cast<double>(route.shares.size());
     std::copy(impulse.begin(), impulse.end(), h.impulse);
+    h.pair = pair.number;
+    h.step = pair.number > 0 ? pair.step : 0;
     if (n > 0) s.pack(particles, route, remote);
     h.stateSeal = n > 0 ? wire::seal(remote.state.data(), remote.state.size()) : 0;
     wire::sealHeader(h);

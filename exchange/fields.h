@@ -101,6 +101,9 @@ class Particles {
 constexpr double largestNumber = 1e100;
 inline bool possible(double x) { return x > -largestNumber && x < largestNumber; }
 
+/// Pairs of saved states are numbered from 1, in doubles; 0 stands for none.
+constexpr double largestPairNumber = 9007199254740991;
+
 /// Where a value stands that its field cannot have.
 struct Astray {
   int particle = -1;  ///< index of the particle, -1 when all values are possible

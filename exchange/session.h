@@ -27,6 +27,12 @@ struct Timing {
   double bytesSent = 0;  ///< payload of this rank's messages
 };
 
+/// A pair of saved states, one of each half, of the same exchange.
+struct SavedPair {
+  double number = 0;  ///< what tells it from all others; 0: no pair
+  double step = 0;    ///< the DEM half's step
+};
+
 /// The DEM half's side. Collective over the half, except where stated.
 class DemSession {
  public:
@@ -45,8 +51,10 @@ class DemSession {
   /// time [s] is this exchange's; last says that this is a run's last state;
   /// impulse [N s] is what the fluid has given to this rank's particles since
   /// the session began, summed by this half for the balance of momentum.
+  /// With a pair, this half has saved its state as it is before this exchange, and
+  /// the CFD half is to save its own.
   void send(const Particles& particles, double time, bool last,
-            const std::array<double, 3>& impulse);
+            const std::array<double, 3>& impulse, const SavedPair& pair = SavedPair());
 
   /// True when the answer to the last send() has come in (local).
   bool answered();
@@ -101,6 +109,10 @@ class CfdSession {
   /// Time of the last state [s], and whether it was marked as a run's last.
   double time() const;
   bool last() const;
+
+  /// The pair that this half's state, as it was before the last state came in,
+  /// is to be saved for.
+  const SavedPair& pair() const;
 
   /// Time between the last state and the one before it, or the start [s].
   double interval() const;

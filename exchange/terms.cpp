@@ -31,6 +31,14 @@ Int whole(const Json& j) {
   return static_cast<Int>(n);
 }
 
+// The number of a pair of saved states: whole, so that it is told from any other
+double pairNumber(const Json& j) {
+  const double n = j.get<double>();
+  if (!(n >= 0 && n <= largestPairNumber) || n != std::floor(n))
+    throw std::invalid_argument(j.dump() + " is no number of a pair of saved states");
+  return n;
+}
+
 // A name, which will stand in messages of one line
 std::string word(const Json& j) {
   auto s = j.get<std::string>();
@@ -112,7 +120,9 @@ std::string encode(const DemTerms& t) {
               {"offers", t.offers.names()},
               {"brings", t.brings.names()},
               {"needs", t.needs.names()},
-              {"clumpDrag", t.clumpDrag}}
+              {"clumpDrag", t.clumpDrag},
+              {"pairs", t.pairs},
+              {"pair", t.pair}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -127,6 +137,7 @@ std::string encode(const CfdTerms& t) {
          {"buoyancy", t.buoyancy},
          {"open", t.open},
          {"overlap", t.overlap},
+         {"pair", t.pair},
          {"needs", t.needs.names()},
          {"accepts", t.accepts.names()},
          {"offers", t.offers.names()}};
@@ -153,6 +164,8 @@ DemTerms decodeDem(const std::string& s) {
     t.brings = fields(j.at("brings"));
     t.needs = fields(j.at("needs"));
     t.clumpDrag = word(j.at("clumpDrag"));
+    t.pairs = word(j.at("pairs"));
+    t.pair = pairNumber(j.at("pair"));
   });
 }
 
@@ -165,6 +178,7 @@ CfdTerms decodeCfd(const std::string& s) {
     t.buoyancy = j.at("buoyancy").get<bool>();
     t.open = flags<6>(j.at("open"));
     t.overlap = j.at("overlap").get<bool>();
+    t.pair = pairNumber(j.at("pair"));
     t.needs = fields(j.at("needs"));
     t.accepts = fields(j.at("accepts"));
     t.offers = fields(j.at("offers"));

@@ -14,7 +14,7 @@
 namespace clay {
 
 /// Both halves must speak the same version of the wire.
-constexpr int wireVersion = 8;
+constexpr int wireVersion = 9;
 static_assert(fieldCount == 22, "another list of fields is another version of the wire");
 
 /// Raised, on every rank of both halves, when the halves do not fit.
@@ -41,6 +41,8 @@ struct DemTerms {
   FieldSet brings;        ///< fields it sends though they are not needed; its settings ask for them
   FieldSet needs;         ///< fields it must get
   std::string clumpDrag;  ///< how the drag of clumps is found; empty without clumps
+  std::string pairs;      ///< folder of the pairs of saved states; empty where none are saved
+  double pair = 0;        ///< number of the pair that this half starts from; 0: none
 };
 
 /// What the CFD half states.
@@ -62,6 +64,7 @@ struct CfdTerms {
   /// low y, ... On these none is lost, it just gets no force.
   std::array<bool, 6> open{};
   bool overlap = true;  ///< both halves march at the same time
+  double pair = 0;      ///< number of the pair that this half starts from; 0: none
   FieldSet needs;       ///< fields it must get
   FieldSet accepts;     ///< fields it can use when they are brought
   FieldSet offers;      ///< fields it can send

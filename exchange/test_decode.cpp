@@ -57,6 +57,8 @@ struct Sent {
     header.count = n;
     header.shares = 9;
     header.impulse[2] = 1e-7;
+    header.pair = 77;
+    header.step = 120;
     header.stateSeal = clay::wire::seal(state.data(), state.size());
     clay::wire::sealHeader(header);
   }
@@ -165,7 +167,9 @@ TEST(DamagedMessages, OfADemRankThatIsWrong) {
                           {6, {noNumber, -1, 1e18, inf, 0.5, 8, 10, 0, 2147483648.}},
                           {7, {noNumber, inf, 1e300}},
                           {8, {noNumber, -inf, -1e300}},
-                          {9, {noNumber, inf, 1e100}}};
+                          {9, {noNumber, inf, 1e100}},
+                          {10, {noNumber, inf, -1, 0.5, 1e16, 0}},
+                          {11, {noNumber, inf, -1, 0.5, 1e16}}};
   for (const auto& wrong : header)
     for (double x : wrong.values) {
       Sent s;
@@ -225,7 +229,7 @@ TEST(DamagedMessages, OfARunThatIsNotThere) {
 
   const Header first = Sent().header;
   EXPECT_NO_THROW(clay::wire::checkAlike(first, first));
-  for (std::size_t w : {0, 1, 2, 4}) {
+  for (std::size_t w : {0, 1, 2, 4, 10, 11}) {
     Sent other;
     other.words()[w] += 1;
     expectRefused([&] { clay::wire::checkAlike(first, other.header); }, "ranks that differ");
@@ -357,7 +361,7 @@ TEST(DamagedMessages, OfTerms) {
   const char* triples = "[0,0]";
   const Entry demEntries[] = {
       {"half", {"\"CFD\"", "1", "null"}},
-      {"wire", {"7", "8.5", "-1", "1e300", "\"8\"", "null", "99999999999999999999"}},
+      {"wire", {"8", "9.5", "-1", "1e300", "\"9\"", "null", "99999999999999999999"}},
       {"step", {"-1", "0", "null", "1e300", "\"x\"", "[]"}},
       {"interval", {"-1", "0", "20.5", "1e300", "null", "\"20\"", "99999999999999999999"}},
       {"startTime", {"null", "1e300", "1", "-1", "{}"}},
@@ -373,10 +377,12 @@ TEST(DamagedMessages, OfTerms) {
       {"offers", {"[\"smell\"]", "[]", "[1]", "null", "[\"force\"]"}},
       {"brings", {"[\"smell\"]", "[\"force\"]", "[\"spin\"]", "0"}},
       {"needs", {"[\"smell\"]", "[\"radius\"]", "[\"fluidSpin\"]", "0"}},
-      {"clumpDrag", {"0", "null", "[]"}}};
+      {"clumpDrag", {"0", "null", "[]"}},
+      {"pairs", {"0", "null", "[]"}},
+      {"pair", {"1", "-1", "0.5", "1e300", "null", "\"0\""}}};
   const Entry cfdEntries[] = {
       {"half", {"\"DEM\"", "true"}},
-      {"wire", {"6", "8.5", "null"}},
+      {"wire", {"7", "9.5", "null"}},
       {"startTime", {"null", "1e300", "5"}},
       {"fluidDensity", {"0", "-1", "null", "1e300"}},
       {"fluidViscosity", {"-1", "null", "1e300"}},
@@ -384,6 +390,7 @@ TEST(DamagedMessages, OfTerms) {
       {"buoyancy", {"0", "null"}},
       {"open", {"[]", "[true,true,true]", "[1,1,1,1,1,1]"}},
       {"overlap", {"0", "null"}},
+      {"pair", {"1", "-1", "0.5", "1e300", "null", "[0]"}},
       {"needs", {"[\"smell\"]", "[\"force\"]", "[\"gravity\"]"}},
       {"accepts", {"[\"smell\"]", "[\"force\"]"}},
       {"offers", {"[\"smell\"]", "[]", "[\"radius\"]"}}};

@@ -323,6 +323,19 @@ TEST_F(Agreement, OfUnits) {
   EXPECT_EQ(line(), "");
 }
 
+TEST_F(Agreement, OfTheSavedStates) {
+  dem.pair = cfd.pair = 9007199254740991.;
+  EXPECT_EQ(line(), "");
+  EXPECT_EQ(clay::decodeDem(clay::encode(dem)).pair, dem.pair);
+  EXPECT_EQ(clay::decodeCfd(clay::encode(cfd)).pair, cfd.pair);
+  cfd.pair = 9007199254740989.;
+  EXPECT_TRUE(says(line(),
+                   "the DEM half goes on from the saved pair 9007199254740991, the CFD "
+                   "half from the saved pair 9007199254740989"));
+  cfd.pair = 0;
+  EXPECT_TRUE(says(line(), "the CFD half from no saved pair"));
+}
+
 TEST_F(Agreement, OfFields) {
   cfd.needs.add(Field::impulse);
   EXPECT_EQ(line(), "");

@@ -38,6 +38,11 @@ if(CLAYFOAM_FUZZ)
   endif()
 endif()
 
+add_executable(test_saved_pair test_saved_pair.cpp)
+target_link_libraries(test_saved_pair PRIVATE clay_exchange GTest::gtest_main)
+gtest_add_tests(TARGET test_saved_pair TEST_PREFIX exchange. TEST_LIST saved_pair_tests)
+set_tests_properties(${saved_pair_tests} PROPERTIES TIMEOUT 20)
+
 # particles that several ranks hold
 add_executable(test_shared test_shared.cpp)
 target_link_libraries(test_shared PRIVATE clay_world clay_exchange GTest::gtest)

@@ -38,10 +38,12 @@ struct Header {
   double count = 0;               ///< particles that follow
   double shares = 0;              ///< doubles of the list of sharers that follow
   double impulse[3] = {0, 0, 0};  ///< given to this rank's particles so far [N s]
+  double pair = 0;                ///< number of the pair of states to be saved; 0: none
+  double step = 0;                ///< its DEM step
   double stateSeal = 0;           ///< of the message that follows, 0 when none does
   double seal = 0;                ///< of this header's other doubles
 
-  static constexpr int doubles = 12;
+  static constexpr int doubles = 14;
 };
 static_assert(sizeof(Header) == Header::doubles * sizeof(double), "no padding");
 

@@ -3,6 +3,7 @@
 # loaded: the library that holds them must be shared or an object library.
 set(CLAYFOAM_MODEL_SOURCES
   modelCoeffs/modelCoeffs.C
+  modelCoeffs/savedPart.C
   modelCoeffs/savedState.C
   modelCoeffs/checkedNumber.C
   dispersedParticles/cellGeometry.C

@@ -15,9 +15,12 @@ Description
 
 #include "caseInput.H"
 #include "fluidSolver.H"
+#include "runClock.H"
 #include "startUp.H"
 
 #include "exchange/world.h"
+
+#include <string>
 
 // what the wrappers of MPI split the world by
 const clay::Half clay::programHalf = clay::Half::cfd;
@@ -31,7 +34,7 @@ namespace Foam
 static void march(const argList& args)
 {
     checkDecomposition(args);
-    Time runTime(controls(args), args.rootPath(), args.caseName());
+    runClock runTime(controls(args), args.rootPath(), args.caseName());
     fvMesh mesh
     (
         IOobject
@@ -43,6 +46,7 @@ static void march(const argList& args)
         )
     );
 
+    runTime.resume(mesh);
     checkInput(mesh);
     fluidSolver fluid(runTime, mesh);
     particleCoupling coupling(fluid.U(), fluid.p(), fluid.transport());
@@ -61,9 +65,22 @@ static void march(const argList& args)
         written = true;
     };
 
+    // signalled: exchanges since this rank was sent a signal
+    label signalled = 0;
+    noteStops();
+
     // all ranks alike: they hear the same
     while (coupling.next())
     {
+        // the first may have been sent before the DEM half heard of it
+        if (notedStop() && ++signalled > 2)
+        {
+            clay::abandon
+            (
+                "ended by signal " + std::to_string(notedStop())
+              + " to the CFD half"
+            );
+        }
         if (due)
         {
             write();

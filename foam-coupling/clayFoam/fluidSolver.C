@@ -3,6 +3,7 @@
 #include "fluidSolver.H"
 
 #include "evaluateCoupled.H"
+#include "keptFactorPreconditioner.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -110,6 +111,51 @@ Foam::label Foam::fluidSolver::subSteps(const scalar interval) const
 }
 
 
+void Foam::fluidSolver::begin(const particleCoupling& coupling)
+{
+    const bool plain =
+        turbulence_->type() == "Stokes"
+     && viscosityLaw(transport_).newtonian()
+     && fv::options::New(mesh_).optionList::empty();
+    quiet_.reset
+    (
+        new quietFluid(plain ? coupling.properties().quietFluid() : 0)
+    );
+
+    const bool atStart = saved_.empty();
+    // all ranks alike: savedNumbers() is
+    if (atStart)
+    {
+        // n is that of the start
+        nPhi_ = phi_*fvc::interpolate
+        (
+            coupling.n(),
+            "interpolate(voidfraction)"
+        );
+        faces_.take(fvc::snGrad(p_)(), slope_);
+        slope_ *= faces_.magSf();
+    }
+    else
+    {
+        quiet_->resume(saved_);
+    }
+}
+
+
+void Foam::fluidSolver::save(stateWriter& to)
+{
+    to.faces("nPhi", nPhi_);
+    surfaceScalarField slope("slope", nPhi_);
+    faces_.put(slope_, slope);
+    to.faces("pressureSlope", slope);
+    if (quiet_)
+    {
+        quiet_->save(to.numbers());
+    }
+    keptFactorPreconditioner::forget(mesh_.thisDb());
+}
+
+
 bool Foam::fluidSolver::oneStep(const scalar time) const
 {
     const dictionary& dict = runTime_.controlDict();
@@ -190,6 +236,7 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
     ),
     correctors_(0),
     fresh_(true),
+    saved_(savedNumbers(mesh)),
     faces_(mesh),
     carrying_(mesh),
     sourceFaces_(mesh.nFaces(), Zero),
@@ -220,6 +267,12 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
             << " Euler" << exit(FatalIOError);
     }
 
+    // all ranks alike: savedNumbers() is collective
+    if (!saved_.empty())
+    {
+        nPhi_ = readFaces(mesh_, "nPhi");
+        faces_.take(readFaces(mesh_, "pressureSlope")(), slope_);
+    }
     // p, and what the turbulence model has read
     evaluateAllCoupled<scalar>(mesh_);
     evaluateAllCoupled<vector>(mesh_);
@@ -243,24 +296,8 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
     // all ranks alike: the number of this call
     if (fresh_)
     {
-        // first interval: n is that of the start
-        nPhi_ = phi_*fvc::interpolate
-        (
-            coupling.n(),
-            "interpolate(voidfraction)"
-        );
+        begin(coupling);
         fresh_ = false;
-        faces_.take(fvc::snGrad(p_)(), slope_);
-        slope_ *= faces_.magSf();
-
-        const bool plain =
-            turbulence_->type() == "Stokes"
-         && viscosityLaw(transport_).newtonian()
-         && fv::options::New(mesh_).optionList::empty();
-        quiet_.reset
-        (
-            new quietFluid(plain ? coupling.properties().quietFluid() : 0)
-        );
     }
     const vectorField before
     (

@@ -222,6 +222,16 @@ Foam::keptFactorPreconditioner::~keptFactorPreconditioner()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::keptFactorPreconditioner::forget(const objectRegistry& db)
+{
+    for (const word& name : db.sortedNames<keptFactors>())
+    {
+        // stored there: it ends
+        db.checkOut(name);
+    }
+}
+
+
 void Foam::keptFactorPreconditioner::precondition
 (
     solveScalarField& wA,

@@ -11,10 +11,12 @@
 #include "exchange/world.h"
 
 #include <malloc.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cctype>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
@@ -49,6 +51,18 @@ static std::string oneLine(std::string text)
 }
 
 
+static volatile std::sig_atomic_t stopSignal = 0;
+
+extern "C" void noteStop(int signal)
+{
+    if (stopSignal)
+    {
+        ::_exit(128 + signal);
+    }
+    stopSignal = signal;
+}
+
+
 //- Ends both halves. The first rank speaks for an error that all ranks have
 [[noreturn]] static void endBoth(const std::string& reason)
 {
@@ -66,6 +80,21 @@ void Foam::setSolverOutput(const bool on)
 {
     SolverPerformance<scalar>::debug = on;
     SolverPerformance<vector>::debug = on;
+}
+
+
+void Foam::noteStops()
+{
+    for (const int signal : {SIGINT, SIGTERM, SIGUSR1})
+    {
+        std::signal(signal, noteStop);
+    }
+}
+
+
+int Foam::notedStop()
+{
+    return stopSignal;
 }
 
 

@@ -99,7 +99,25 @@ Foam::momentumLedger::momentumLedger
     buoyancyTotal_(Zero),
     impulseScale_(0),
     owedAtStart_(owed())
-{}
+{
+    const dictionary saved(savedNumbers(mesh));
+    // all ranks alike: savedNumbers() is collective
+    if (saved.empty())
+    {
+        return;
+    }
+    readCells(mesh, "couplingGiven", given_);
+    if (weighted_)
+    {
+        readCells(mesh, "couplingDrag", K_);
+        readCells(mesh, "couplingMass", mass_);
+    }
+    saved.readEntry("ledgerInterval", interval_);
+    saved.readEntry("givenTotal", givenTotal_);
+    saved.readEntry("buoyancyTotal", buoyancyTotal_);
+    saved.readEntry("impulseScale", impulseScale_);
+    saved.readEntry("owedAtStart", owedAtStart_);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -418,4 +436,22 @@ Foam::scalar Foam::momentumLedger::residual(const vector& received) const
     );
 
     return impulseScale_ > VSMALL ? mag(missing)/impulseScale_ : 0;
+}
+
+
+void Foam::momentumLedger::save(stateWriter& to)
+{
+    to.cells("couplingGiven", given_);
+    // all ranks alike: a setting
+    if (weighted_)
+    {
+        to.cells("couplingDrag", K_);
+        to.cells("couplingMass", mass_);
+    }
+    dictionary& numbers = to.numbers();
+    numbers.set("ledgerInterval", interval_);
+    numbers.set("givenTotal", givenTotal_);
+    numbers.set("buoyancyTotal", buoyancyTotal_);
+    numbers.set("impulseScale", impulseScale_);
+    numbers.set("owedAtStart", owedAtStart_);
 }

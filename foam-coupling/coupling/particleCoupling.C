@@ -147,6 +147,7 @@ Foam::particleCoupling::particleCoupling
           ? wordList({"DUDt", "particleForceSent"}) : wordList()
         )
     ),
+    startPair_(0),
     stressFraction_
     (
         IOobject("stressFraction", mesh_.time().timeName(), mesh_),
@@ -195,6 +196,7 @@ Foam::particleCoupling::particleCoupling
         }
     }
 
+    resume();
     session_.reset(new clay::CfdSession(terms(), boxes()));
     received_ = clay::Particles(session_->receives());
     answers_ = clay::Particles(session_->sends());

@@ -162,6 +162,11 @@ bool Foam::particleCoupling::next()
                 << exit(FatalError);
         }
 
+        // all ranks alike: the DEM half tells all the same
+        if (session_->pair().number > 0)
+        {
+            savePair();
+        }
         {
             stopwatch watch(stats_.mapping, &stats_.mappingCpu);
             take();

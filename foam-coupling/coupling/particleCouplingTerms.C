@@ -87,6 +87,7 @@ clay::CfdTerms Foam::particleCoupling::terms() const
         t.gravity = {{g.value().x(), g.value().y(), g.value().z()}};
     }
 
+    t.pair = startPair_;
     t.fluidDensity = rho_;
     t.fluidViscosity = rho_*nu_;
     t.box = box(boundBox(mesh_.points(), true));

@@ -3,6 +3,7 @@
 #include "particleForces.H"
 
 #include "fvc.H"
+#include "savedPart.H"
 #include "savedState.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -49,8 +50,9 @@ void Foam::particleForces::damp
         return;
     }
 
+    const bool first = !sent_;
     // all ranks alike: made at the first exchange
-    if (!sent_)
+    if (first)
     {
         sent_.reset
         (
@@ -68,7 +70,8 @@ void Foam::particleForces::damp
             )
         );
     }
-    else
+    // all ranks alike, and collective; a pair is saved ahead of this
+    if (!first || hasSavedNumbers(density.mesh()))
     {
         vectorField& f = sent_->primitiveFieldRef();
         f += part*(density.primitiveField() - f);

@@ -137,3 +137,19 @@ void Foam::quietFluid::solved
         boundaryP_[patchi] = p.boundaryField()[patchi];
     }
 }
+
+
+void Foam::quietFluid::save(dictionary& numbers)
+{
+    numbers.set("largestSpeed", largest_);
+    numbers.set("timeLeftOut", late_);
+    rate_ = -1;
+    left_ = 0;
+}
+
+
+void Foam::quietFluid::resume(const dictionary& numbers)
+{
+    numbers.readIfPresent("largestSpeed", largest_);
+    numbers.readIfPresent("timeLeftOut", late_);
+}

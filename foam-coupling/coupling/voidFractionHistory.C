@@ -101,7 +101,11 @@ Foam::voidFractionHistory::voidFractionHistory(const volVectorField& U)
     fresh_(!savedField<volScalarField>(mesh_, "voidfraction")),
     lastInterval_(0),
     solidVolume_(-1)
-{}
+{
+    const dictionary saved(savedNumbers(mesh_));
+    saved.readIfPresent("voidFractionInterval", lastInterval_);
+    saved.readIfPresent("solidVolume", solidVolume_);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -187,4 +191,12 @@ void Foam::voidFractionHistory::advance(const scalar s)
     old_ == n_;
     n_.primitiveFieldRef() = end_ - (1 - s)*(end_ - start_);
     n_.correctBoundaryConditions();
+}
+
+
+void Foam::voidFractionHistory::save(stateWriter& to)
+{
+    // n_ is what the interval ends with
+    to.numbers().set("voidFractionInterval", lastInterval_);
+    to.numbers().set("solidVolume", solidVolume_);
 }

@@ -27,7 +27,7 @@ FixMultisphereClump::FixMultisphereClump(LAMMPS *lmp, int narg, char **arg) :
   gravity_(lmp), unsorted_(true), unturned_(true), natoms_(0)
 {
   store_ = multisphere_.prop().addElementProperty<Store>("fluid_on_body", "comm_exchange_borders", "frame_invariant",
-                                                         "restart_no");
+                                                         "restart_yes");
 }
 
 /* ---------------------------------------------------------------------- */
@@ -249,5 +249,27 @@ void FixMultisphereClump::take_impulse(int ibody, double *impulse)
   for (int k = 0; k < 3; k++) {
     impulse[k] = fluid.impulse[k];
     fluid.impulse[k] = 0.0;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixMultisphereClump::hold_forces()
+{
+  for (int b = 0; b < multisphere_.n_body(); b++) {
+    Fluid &fluid = stored(b);
+    std::copy(fcm_(b), fcm_(b) + 3, fluid.held);
+    std::copy(torque_(b), torque_(b) + 3, fluid.held + 3);
+    std::copy(fluid.force, fluid.force + 3, fluid.held + 6);
+  }
+}
+
+void FixMultisphereClump::take_held_forces()
+{
+  for (int b = 0; b < multisphere_.n_body(); b++) {
+    Fluid &fluid = stored(b);
+    std::copy(fluid.held, fluid.held + 3, fcm_(b));
+    std::copy(fluid.held + 3, fluid.held + 6, torque_(b));
+    std::copy(fluid.held + 6, fluid.held + 9, fluid.force);
   }
 }

@@ -86,6 +86,11 @@ class FixMultisphereClump : public FixMultisphere {
   /// since the last call; false, with zeros, when there was none for this body.
   bool take_motion(int ibody, double *displacement, double *change);
 
+  /// Keeps the forces on bodies that there are, through a set-up or a restart file, and puts
+  /// them in place of those of the set-up.
+  void hold_forces();
+  void take_held_forces();
+
   /// Switches the fluid on; without it this is plain multisphere. before() is called
   /// before spheres may change places in memory: bodies that left the box are taken out;
   /// after() when a step's forces on the bodies are known.
@@ -113,6 +118,7 @@ class FixMultisphereClump : public FixMultisphere {
     double impulse[3];          // since the last exchange [N s]
     double place[3], speed[3];  // of the centre of mass at the last exchange [m, m/s]
     double seen;                // above 0 when it was there
+    double held[9];             // force and torque on the body, `force`, ahead of a set-up
     double owner;               // whose it is
   };
   enum { SIZE = sizeof(Fluid) / sizeof(double) };

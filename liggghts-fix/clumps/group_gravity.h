@@ -40,6 +40,20 @@ class GroupGravity {
     return sum;
   }
 
+  /// All of it as numbers, four a group, for a restart file; and back.
+  std::vector<double> numbers() const
+  {
+    std::vector<double> all;
+    for (const Part &p : parts_) all.insert(all.end(), {static_cast<double>(p.group), p.g[0], p.g[1], p.g[2]});
+    return all;
+  }
+  void take(const std::vector<double> &numbers)
+  {
+    clear();
+    for (std::size_t i = 0; i + 4 <= numbers.size(); i += 4)
+      add(static_cast<int>(numbers[i]), {numbers[i + 1], numbers[i + 2], numbers[i + 3]});
+  }
+
  private:
   struct Part {
     int group;

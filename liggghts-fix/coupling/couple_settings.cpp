@@ -52,6 +52,25 @@ double parse_progress(const std::string &text)
   return value;
 }
 
+double parse_checkpoint_every(const std::string &text)
+{
+  char *end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end || !std::isfinite(value) || !(value > 0))
+    throw std::invalid_argument("checkpoint_every is '" + text + "'; it must be a number of seconds above 0");
+  return value;
+}
+
+int parse_checkpoint_steps(const std::string &text, int interval)
+{
+  long value;
+  if (text == "0") return 0;
+  if (!whole(text, value) || value < interval || value > 2000000000 || value % interval)
+    throw std::invalid_argument("checkpoint_steps is '" + text + "'; it must be 0 or a multiple of every, " +
+                                std::to_string(interval) + " DEM steps");
+  return static_cast<int>(value);
+}
+
 // parse(text) with the key named in what it throws
 template <class Parse>
 auto named(const std::string &what, Parse parse)
@@ -70,7 +89,7 @@ auto named(const std::string &what, Parse parse)
 CoupleSettings CoupleSettings::parse(const std::vector<std::string> &words)
 {
   CoupleSettings s;
-  std::string lag = "0", law;
+  std::string lag = "0", law, seconds, steps;
   for (std::size_t n = 0; n < words.size(); n += 2) {
     const std::string &key = words[n];
     if (n + 1 == words.size()) throw std::invalid_argument("keyword '" + key + "' needs a value");
@@ -83,14 +102,23 @@ CoupleSettings CoupleSettings::parse(const std::vector<std::string> &words)
     else if (key == "watch") s.watch = yes(key, value);
     else if (key == "clumpDrag") s.clumpDrag = named("clumpDrag is ", [&] { return clumpDragKind(value); });
     else if (key == "shapeLaw") law = value;
+    else if (key == "checkpoint") s.checkpoint = value;
+    else if (key == "checkpoint_every") seconds = value;
+    else if (key == "checkpoint_steps") steps = value;
     else
-      throw std::invalid_argument("unknown keyword '" + key +
-                                  "'; known are every, lag, stats, progress, "
-                                  "contact_limit, watch, clumpDrag, shapeLaw");
+      throw std::invalid_argument(
+          "unknown keyword '" + key +
+          "'; known are every, lag, stats, progress, "
+          "contact_limit, watch, clumpDrag, shapeLaw, checkpoint, checkpoint_every, checkpoint_steps");
   }
   if (s.interval < 1)
     throw std::invalid_argument("'every N' is missing; N is the number of DEM steps between two exchanges");
   s.lag = parse_lag(lag, s.interval);
+
+  if (s.checkpoint.empty() && !(seconds.empty() && steps.empty()))
+    throw std::invalid_argument("checkpoint_every and checkpoint_steps belong to checkpoint FOLDER, which is not set");
+  if (!seconds.empty()) s.checkpointEvery = parse_checkpoint_every(seconds);
+  if (!steps.empty()) s.checkpointSteps = parse_checkpoint_steps(steps, s.interval);
 
   if (s.clumpDrag == ClumpDragKind::resistance) {
     s.shapeLaw = law.empty() ? "tranCong" : law;

@@ -20,6 +20,10 @@ struct CoupleSettings {
   ClumpDragKind clumpDrag = ClumpDragKind::sphereSum;
   std::string shapeLaw;  ///< with clumpDrag resistance, else empty
 
+  std::string checkpoint;        ///< folder of the pairs of saved states; empty: none are saved
+  double checkpointEvery = 600;  ///< wall time between two of them [s]
+  int checkpointSteps = 0;       ///< DEM steps between two of them instead, 0 for none
+
   /// Of the words behind the style's name; throws std::invalid_argument with one
   /// line that says what is wrong and what is possible.
   static CoupleSettings parse(const std::vector<std::string> &words);

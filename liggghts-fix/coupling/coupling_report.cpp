@@ -30,7 +30,7 @@ using namespace LAMMPS_NS;
 CouplingReport::CouplingReport(LAMMPS *lmp, const std::string &file, double seconds) :
   Pointers(lmp), file_(file), seconds_(seconds), counted_(false), running_(false), cpu_began_(0), cpu_wait_(0),
   cpu_waited_(0), cpu_(0.), began_(0.), last_line_(0.), wall_(0.), output_(0.), steps_(0), at_start_(0), before_(0),
-  inserted_(0), left_(0), deleted_(0), lost_(0), inserted_before_(0), left_before_(0), start_time_(0.), overlap_(0.)
+  inserted_(0), left_(0), deleted_(0), lost_(0), inserted_before_(0), left_before_(0), start_time_(-1.), overlap_(0.)
 {
 }
 
@@ -56,7 +56,7 @@ void CouplingReport::start()
   running_ = true;
   if (counted_) return;
   counted_ = true;
-  start_time_ = update->get_cur_time();
+  if (start_time_ < 0.) start_time_ = update->get_cur_time();
 
   // a place that cannot be written to is told before the run, not after
   int bad = !comm->me && !file_.empty() && !std::ofstream(file_);

@@ -47,6 +47,10 @@ class CouplingReport : protected Pointers {
   /// Before particles change places: counts those that LIGGGHTS drops at a border of the box.
   void places();
 
+  /// Time when the first run began [s]; that of a run that goes on from a saved state is its file's.
+  double start_time() const { return start_time_; }
+  void goes_on_from(double start) { start_time_ = start; }
+
   /// A warning for the screen, the log and dem.json.
   void warn(const std::string &text);
 

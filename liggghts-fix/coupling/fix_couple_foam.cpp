@@ -15,7 +15,9 @@
 #include "coupling/coupling_report.h"
 #include "coupling/run_checks.h"
 #include "coupling/runaway_watch.h"
+#include "coupling/state_saver.h"
 #include "coupling/stop_signals.h"
+#include "coupling/verlet_coupled.h"
 #include "domain.h"
 #include "error.h"
 #include "exchange/session.h"
@@ -61,8 +63,9 @@ class Thermal : public clay::RandomForce {
 
 FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), settings_(settings(narg, arg, error)), dt_(0.), idle_(false), opened_(-1), pending_(false),
-  waited_(0), prompt_(true), warned_(false), exchanges_(0), bodies_(NULL), fluid_(NULL), more_(NULL),
-  gravity_(lmp), usual_{}, listed_(-1), still_(false), unseen_(false), still_steps_(0), showing_(false), last_time_(0.)
+  waited_(0), prompt_(true), warned_(false), exchanges_(0), bodies_(NULL), fluid_(NULL), more_(NULL), kept_(NULL),
+  gravity_(lmp), usual_{}, listed_(-1), still_(false), unseen_(false), still_steps_(0), showing_(false), last_time_(0.),
+  start_pair_(0.), save_due_(false), saving_(false), holds_(false), stop_(0)
 {
   given_[0] = given_[1] = given_[2] = 0.;
 
@@ -78,7 +81,7 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   nevery = 1;
   time_depend = 1;
   create_attribute = 1;  // set_arrays for particles inserted within a run
-  restart_global = 1;    // the clock, which LIGGGHTS does not restart
+  restart_global = restart_peratom = 1;
 
   peratom_flag = local_flag = vector_flag = 1;
   peratom_freq = local_freq = global_freq = 1;
@@ -90,6 +93,15 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
 
   grow_arrays(atom->nmax);
   atom->add_callback(0);
+  atom->add_callback(1);
+  if (!settings_.checkpoint.empty()) {
+    saver_.reset(new StateSaver(lmp, settings_));
+    make_kept();
+  }
+  if (strcmp(update->integrate_style, "verlet") == 0 && !dynamic_cast<VerletCoupled *>(update->integrate)) {
+    delete update->integrate;
+    update->integrate = new VerletCoupled(lmp);
+  }
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
 }
 
@@ -102,10 +114,12 @@ FixCoupleFoam::~FixCoupleFoam()
   Fix *ms = modify ? modify->find_fix_style("multisphere", 0) : NULL;
   if (FixMultisphereClump *bodies = dynamic_cast<FixMultisphereClump *>(ms)) bodies->uncouple();
   atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
   memory->destroy(fluid_);
   memory->destroy(more_);
   memory->destroy(array_atom);
   memory->destroy(array_local);
+  memory->destroy(kept_);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -143,6 +157,8 @@ void FixCoupleFoam::init()
   if (bodies_ && igroup != 0) error->all(FLERR, "Fix couple/foam: with clumps its group must be 'all'");
   if (strstr(update->integrate_style, "respa"))
     error->all(FLERR, "Fix couple/foam: works with run_style verlet, not with respa");
+  if ((saver_ || holds_) && !dynamic_cast<VerletCoupled *>(update->integrate))
+    error->all(FLERR, "Fix couple/foam: run_style must stand above it in the script where states are saved");
   if (bodies_)
     bodies_->couple(
         [this] {
@@ -246,6 +262,8 @@ clay::DemTerms FixCoupleFoam::terms()
   if (bodies_) t.clumpDrag = clay::name(settings_.clumpDrag);
   t.needs = {Field::dragCoefficient, Field::fluidVelocity};
   if (readers_.any) t.needs.add(Field::voidFraction);
+  if (saver_) t.pairs = saver_->folder();
+  t.pair = start_pair_;
   return t;
 }
 
@@ -278,10 +296,7 @@ void FixCoupleFoam::open()
 
   const clay::FieldSet &gets = session_->receives();
   if (gets.has(Field::addedMass)) refuse([&] { clay::check_last(script_fixes(lmp), modify->find_fix(id)); });
-  if (!more_ && (gets.has(Field::addedMass) || gets.has(Field::turnCoefficient))) {
-    memory->create(more_, atom->nmax, (int)More::SIZE, "couple/foam:more");
-    for (int i = 0; i < atom->nmax; i++) std::fill(more_[i], more_[i] + More::SIZE, 0.);
-  }
+  if (gets.has(Field::addedMass) || gets.has(Field::turnCoefficient)) make_more();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -291,10 +306,16 @@ void FixCoupleFoam::setup_pre_force(int)
   idle_ = update->laststep == update->firststep;
   opened_ = update->laststep;
   if (idle_) return;
+  if (saving_) {
+    save();
+    return;
+  }
   report_->start();
   just_created = 0;  // else Modify::setup() calls set_arrays() and the first answer is lost
   if (watch_) watch_->start();
   open();
+  start_pair_ = 0.;
+  if (saver_) saver_->start();
   send(false);
   take_answer();
 }
@@ -327,25 +348,6 @@ void FixCoupleFoam::post_integrate()
 }
 
 /* ----------------------------------------------------------------------
-   LIGGGHTS keeps the step in its restart files, but not the time
-------------------------------------------------------------------------- */
-
-void FixCoupleFoam::write_restart(FILE *fp)
-{
-  if (comm->me) return;
-  const int size = sizeof(double);
-  const double time = update->get_cur_time();
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&time, sizeof(double), 1, fp);
-}
-
-void FixCoupleFoam::restart(char *buf)
-{
-  std::memcpy(&update->atime, buf, sizeof(double));
-  update->atimestep = update->ntimestep;
-}
-
-/* ----------------------------------------------------------------------
    particles are about to change places: the answer must be in before
 ------------------------------------------------------------------------- */
 
@@ -375,10 +377,11 @@ void FixCoupleFoam::end_of_step()
   if (watch_) watch_->step();
   if ((update->ntimestep - update->firststep) % settings_.interval) return;
   refuse([&] { clay::check_step(dt_, update->dt); });
-  if (update->ntimestep < update->laststep)
-    if (const int signal = agreed_stop()) stop(signal);
+  stop_ = update->ntimestep < update->laststep ? agreed_stop() : 0;
+  if (stop_ && !saver_) stop(stop_);
   if (settings_.contactLimit && ++exchanges_ % 50 == 0) watch_contact_limit();
-  send(update->ntimestep == update->laststep);
+  save_due_ = saver_ && (saver_->due() || stop_);
+  if (!save_due_) send(update->ntimestep == update->laststep);
 }
 
 /* ----------------------------------------------------------------------
@@ -402,7 +405,10 @@ void FixCoupleFoam::stop(int signal)
   if (pending_) take_answer();
   report_->finish(*session_, settings_.interval, watch_ ? watch_->wall_overlap() : 0.);
   const double left = (update->laststep - update->ntimestep) * update->dt, now = update->get_cur_time();
-  clay::abandon(clay::stop_reason(signal, now, now + left));
+  std::string why = clay::stop_reason(signal, now, now + left);
+  if (saver_ && saver_->saved() >= 0)
+    why += "; the last saved state is that of step " + std::to_string(saver_->saved());
+  clay::abandon(why);
 }
 
 /* ---------------------------------------------------------------------- */

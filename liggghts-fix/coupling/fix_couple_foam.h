@@ -25,14 +25,10 @@ FixStyle(couple/foam,FixCoupleFoam)
 #include "coupling/sphere_forces.h"
 #include "coupling/value_readers.h"
 #include "exchange/fields.h"
+#include "exchange/session.h"
 #include "fix.h"
 #include "clumps/script_gravity.h"
 #include "fluid/coupled_fluid.h"
-
-namespace clay {
-class DemSession;
-struct DemTerms;
-}
 
 namespace LAMMPS_NS {
 
@@ -40,6 +36,7 @@ class CoupledClumps;
 class CouplingReport;
 class FixMultisphereClump;
 class RunawayWatch;
+class StateSaver;
 
 class FixCoupleFoam : public Fix, public CoupledFluid {
  public:
@@ -57,6 +54,10 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   void post_integrate();
   void write_restart(FILE *);
   void restart(char *);
+  int size_restart(int);
+  int maxsize_restart();
+  int pack_restart(int, double *);
+  void unpack_restart(int, int);
 
   double fluid_viscosity() const override;
   double drag_coefficient(int i) const override { return fluid_[i][clay::FluidRow::DRAG]; }
@@ -72,6 +73,20 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
 
   double compute_vector(int);
 
+  /// States of this half are saved within a run.
+  bool saves() const { return saver_ != nullptr; }
+  /// Step of the next exchange.
+  bigint next_exchange() const;
+  /// The state is to be saved now, ahead of this step's exchange.
+  bool save_due() const { return save_due_; }
+  /// Holds the forces there are from here on, until take_held_forces().
+  void begins_saving();
+  /// Saves it at the end of a run.
+  void save_last();
+  void ends_saving();
+  /// Puts them, or those of a saved state, in place of the forces of a set-up.
+  void take_held_forces();
+
   double memory_usage();
   void grow_arrays(int);
   void copy_arrays(int, int, int);
@@ -86,16 +101,21 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
  private:
   typedef clay::FluidRow Row;
   typedef clay::InertiaRow More;
+  enum { KEPT = 9 };  // of kept_: force, torque, the fluid's force in the row
 
   void refuse(const std::function<void()> &check);
   void check_contacts();
   void watch_contact_limit();
   clay::DemTerms terms();
   void open();
-  void send(bool last);
+  void send(bool last, const clay::SavedPair &pair = clay::SavedPair());
   int agreed_stop() const;
   void stop(int signal);
   void pack_clumps(int first);
+  void hold_forces();
+  void make_more();
+  void make_kept();
+  void save();
   void tell_motions();
   void check_finite();
   void take_answer();
@@ -129,6 +149,7 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   std::unique_ptr<CoupledClumps> clumps_;      // null when the drag is the sum over spheres
   double **fluid_;                             // per-atom store, rows of FluidRow
   double **more_;                              // another one, of InertiaRow; null when it is not needed
+  double **kept_;                              // another one: forces ahead of a set-up; null when not needed
   clay::MovingGroups moving_;                  // which spheres follow the forces on them
   clay::AxisGroups mute_;                      // groups that a fix above took the forces from
   ScriptGravity gravity_;
@@ -148,8 +169,13 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
 
   std::unique_ptr<clay::DemSession> session_;
   clay::Particles sent_, answer_;
-  std::vector<BodySphere> spheres_;  // of the bodies owned here
-  double last_time_;                 // of the last exchange [s]
+  std::vector<BodySphere> spheres_;    // of the bodies owned here
+  double last_time_;                   // of the last exchange [s]
+  double start_pair_;                  // number of the saved pair that this half starts from, 0 for none
+  bool save_due_, saving_;             // at this exchange; the set-up is that of a state being saved
+  bool holds_;                         // kept_ is to be taken
+  int stop_;                           // signal after which the run ends when the state is saved, 0 for none
+  std::unique_ptr<StateSaver> saver_;  // null when no states are saved
   std::unique_ptr<CouplingReport> report_;
   std::unique_ptr<RunawayWatch> watch_;  // null when it is switched off
 };

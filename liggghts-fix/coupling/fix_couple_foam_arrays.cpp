@@ -19,7 +19,7 @@ using namespace LAMMPS_NS;
 
 double FixCoupleFoam::memory_usage()
 {
-  return (atom->nmax * (Row::SIZE + clay::ShownRow::SIZE + (more_ ? (int)More::SIZE : 0)) +
+  return (atom->nmax * (Row::SIZE + clay::ShownRow::SIZE + (more_ ? (int)More::SIZE : 0) + (kept_ ? (int)KEPT : 0)) +
           size_local_rows * clay::ShownBody::SIZE) *
       sizeof(double);
 }
@@ -28,6 +28,7 @@ void FixCoupleFoam::grow_arrays(int nmax)
 {
   memory->grow(fluid_, nmax, (int)Row::SIZE, "couple/foam:fluid");
   if (more_) memory->grow(more_, nmax, (int)More::SIZE, "couple/foam:more");
+  if (kept_) memory->grow(kept_, nmax, (int)KEPT, "couple/foam:kept");
   // made anew where it is read, and does not go along with the atoms
   memory->grow(array_atom, nmax, (int)clay::ShownRow::SIZE, "couple/foam:array_atom");
   std::fill_n(array_atom[0], nmax * clay::ShownRow::SIZE, 0.);
@@ -37,6 +38,7 @@ void FixCoupleFoam::copy_arrays(int i, int j, int)
 {
   std::copy(fluid_[i], fluid_[i] + Row::SIZE, fluid_[j]);
   if (more_) std::copy(more_[i], more_[i] + More::SIZE, more_[j]);
+  if (kept_) std::copy(kept_[i], kept_[i] + KEPT, kept_[j]);
 }
 
 void FixCoupleFoam::set_arrays(int i)
@@ -46,22 +48,31 @@ void FixCoupleFoam::set_arrays(int i)
   fluid_[i][Row::SLOT] = -1;
   fluid_[i][Row::RELAX] = 1.;
   if (more_) std::fill(more_[i], more_[i] + More::SIZE, 0.);
+  if (kept_) std::fill(kept_[i], kept_[i] + KEPT, 0.);
 }
 
 int FixCoupleFoam::pack_exchange(int i, double *buf)
 {
-  std::copy(fluid_[i], fluid_[i] + Row::SIZE, buf);
-  if (!more_) return Row::SIZE;
-  std::copy(more_[i], more_[i] + More::SIZE, buf + Row::SIZE);
-  return Row::SIZE + More::SIZE;
+  double *end = std::copy(fluid_[i], fluid_[i] + Row::SIZE, buf);
+  if (more_) end = std::copy(more_[i], more_[i] + More::SIZE, end);
+  if (kept_) end = std::copy(kept_[i], kept_[i] + KEPT, end);
+  return static_cast<int>(end - buf);
 }
 
 int FixCoupleFoam::unpack_exchange(int nlocal, double *buf)
 {
-  std::copy(buf, buf + Row::SIZE, fluid_[nlocal]);
-  if (!more_) return Row::SIZE;
-  std::copy(buf + Row::SIZE, buf + Row::SIZE + More::SIZE, more_[nlocal]);
-  return Row::SIZE + More::SIZE;
+  const double *from = buf;
+  std::copy(from, from + Row::SIZE, fluid_[nlocal]);
+  from += Row::SIZE;
+  if (more_) {
+    std::copy(from, from + More::SIZE, more_[nlocal]);
+    from += More::SIZE;
+  }
+  if (kept_) {
+    std::copy(from, from + KEPT, kept_[nlocal]);
+    from += KEPT;
+  }
+  return static_cast<int>(from - buf);
 }
 
 /* ----------------------------------------------------------------------

@@ -105,7 +105,7 @@ void FixCoupleFoam::follow_gravity(bool first)
 
 /* ---------------------------------------------------------------------- */
 
-void FixCoupleFoam::send(bool last)
+void FixCoupleFoam::send(bool last, const clay::SavedPair &pair)
 {
   if (still_) book_rest();
   find_gravity();
@@ -123,7 +123,7 @@ void FixCoupleFoam::send(bool last)
   check_finite();
 
   last_time_ = update->get_cur_time();
-  session_->send(sent_, last_time_, last, {{given_[0], given_[1], given_[2]}});
+  session_->send(sent_, last_time_, last, {{given_[0], given_[1], given_[2]}}, pair);
   pending_ = true;
   waited_ = 0;
   report_->exchange(*session_, last);

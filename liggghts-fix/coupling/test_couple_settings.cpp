@@ -93,5 +93,27 @@ TEST(CoupleSettings, whatIsWrongIsSaidInOneLine)
   EXPECT_EQ(said("every 1 clumpDrag sum"), "clumpDrag is 'sum'; it must be sphereSum or resistance");
   EXPECT_EQ(said("every 1 stat a.json"),
             "unknown keyword 'stat'; known are every, lag, stats, progress, "
-            "contact_limit, watch, clumpDrag, shapeLaw");
+            "contact_limit, watch, clumpDrag, shapeLaw, checkpoint, checkpoint_every, checkpoint_steps");
+}
+
+TEST(CoupleSettings, checkpointsByTimeOrBySteps)
+{
+  CoupleSettings s = parse("every 20");
+  EXPECT_EQ(s.checkpoint, "");
+  EXPECT_EQ(s.checkpointEvery, 600);
+  EXPECT_EQ(s.checkpointSteps, 0);
+  s = parse("checkpoint_steps 60 checkpoint_every 2.5 checkpoint states every 20");
+  EXPECT_EQ(s.checkpoint, "states");
+  EXPECT_EQ(s.checkpointEvery, 2.5);
+  EXPECT_EQ(s.checkpointSteps, 60);
+  EXPECT_EQ(parse("every 20 checkpoint states checkpoint_steps 0").checkpointSteps, 0);
+
+  EXPECT_EQ(said("every 20 checkpoint_steps 60"),
+            "checkpoint_every and checkpoint_steps belong to checkpoint FOLDER, which is not set");
+  for (const char *bad : {"0", "-1", "soon", "inf"})
+    EXPECT_EQ(said(std::string("every 20 checkpoint c checkpoint_every ") + bad),
+              std::string("checkpoint_every is '") + bad + "'; it must be a number of seconds above 0");
+  for (const char *bad : {"50", "10", "-20", "2.5"})
+    EXPECT_EQ(said(std::string("every 20 checkpoint c checkpoint_steps ") + bad),
+              std::string("checkpoint_steps is '") + bad + "'; it must be 0 or a multiple of every, 20 DEM steps");
 }

@@ -45,8 +45,8 @@ enum { SIZE = sizeof(clay::RestTrack) / sizeof(double) };
 /* ---------------------------------------------------------------------- */
 
 FixRestBed::FixRestBed(LAMMPS *lmp, int narg, char **arg) :
-  Fix(lmp, narg, arg), seconds_(0.), fluid_(0.05), tracks_(NULL), able_(false), window_(0), next_(0), looked_(false),
-  skipped_(0), left_out_(0), wakings_(0)
+  Fix(lmp, narg, arg), seconds_(0.), fluid_(0.05), tracks_(NULL), able_(false), window_(0), next_(0), begun_(0),
+  looked_(false), skipped_(0), left_out_(0), wakings_(0)
 {
   vector_flag = 1;
   size_vector = 3;
@@ -68,8 +68,10 @@ FixRestBed::FixRestBed(LAMMPS *lmp, int narg, char **arg) :
     update->integrate = new VerletClay(lmp);
   }
   create_attribute = 1;  // set_arrays for particles that come within a run
+  restart_global = restart_peratom = 1;
   grow_arrays(atom->nmax);
   atom->add_callback(0);
+  atom->add_callback(1);
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
 }
 
@@ -78,6 +80,7 @@ FixRestBed::FixRestBed(LAMMPS *lmp, int narg, char **arg) :
 FixRestBed::~FixRestBed()
 {
   atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
   memory->sfree(tracks_);
 }
 
@@ -162,18 +165,26 @@ void FixRestBed::count_left_out()
 
 /* ---------------------------------------------------------------------- */
 
-bool FixRestBed::begin(int n)
+void FixRestBed::begin_anew()
 {
   count_left_out();
   close_rest();
   watch_.restart(limits_);
   looked_ = false;
+  begun_ = update->ntimestep;
+  next_ = next_window();
+}
+
+/* ---------------------------------------------------------------------- */
+
+bool FixRestBed::begin(int n)
+{
   FixCoupleFoam *fluid = dynamic_cast<FixCoupleFoam *>(modify->find_fix_style("couple/foam", 0));
   const bigint every = fluid ? fluid->interval() : 1;
   const double seconds = seconds_ > 0. ? seconds_ : 500 * update->dt;
   const bigint steps = std::max<bigint>(1, static_cast<bigint>(std::llround(seconds / update->dt)));
   window_ = (steps + every - 1) / every * every;
-  next_ = next_window();
+  begin_anew();
 
   find_gravity();
   const double size = std::sqrt(gravity_[0] * gravity_[0] + gravity_[1] * gravity_[1] + gravity_[2] * gravity_[2]);
@@ -274,10 +285,7 @@ void FixRestBed::recomputed()
    windows end where exchanges are
 ------------------------------------------------------------------------- */
 
-bigint FixRestBed::next_window() const
-{
-  return update->firststep + ((update->ntimestep - update->firststep) / window_ + 1) * window_;
-}
+bigint FixRestBed::next_window() const { return begun_ + ((update->ntimestep - begun_) / window_ + 1) * window_; }
 
 /* ----------------------------------------------------------------------
    steps left out, estimate of what the mean height missed, wakings
@@ -310,4 +318,47 @@ int FixRestBed::unpack_exchange(int nlocal, double *buf)
 {
   memcpy(tracks_ + nlocal, buf, sizeof(clay::RestTrack));
   return SIZE;
+}
+
+/* ----------------------------------------------------------------------
+   what was missed so far counts in the run that goes on from the file
+------------------------------------------------------------------------- */
+
+void FixRestBed::write_restart(FILE *fp)
+{
+  if (comm->me) return;
+  const double state[3] = {double(skipped_), double(wakings_), watch_.missed_way()};
+  const int size = sizeof state;
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(state, sizeof(double), 3, fp);
+}
+
+void FixRestBed::restart(char *buf)
+{
+  double state[3];
+  memcpy(state, buf, sizeof state);
+  skipped_ = left_out_ = static_cast<bigint>(state[0]);
+  wakings_ = static_cast<bigint>(state[1]);
+  watch_.resume(state[2]);
+}
+
+int FixRestBed::size_restart(int) { return 4; }
+
+int FixRestBed::maxsize_restart() { return 4; }
+
+int FixRestBed::pack_restart(int i, double *buf)
+{
+  buf[0] = 4.;
+  double way[3];
+  tracks_[i].missed_with(watch_.computed(), watch_.left_out(), way);
+  std::copy(way, way + 3, buf + 1);
+  return 4;
+}
+
+void FixRestBed::unpack_restart(int nlocal, int nth)
+{
+  const double *from = atom->extra[nlocal];
+  for (int n = 0; n < nth; n++) from += static_cast<int>(*from);
+  tracks_[nlocal].create();
+  std::copy(from + 1, from + 4, tracks_[nlocal].missed);
 }

@@ -37,6 +37,17 @@ class FixRestBed : public Fix {
   int pack_exchange(int, double *);
   int unpack_exchange(int, double *);
 
+  void write_restart(FILE *);
+  void restart(char *);
+  int size_restart(int);
+  int maxsize_restart();
+  int pack_restart(int, double *);
+  void unpack_restart(int, int);
+
+  /// Goes on as a run that begins at this step does: what was seen of the bed is forgotten, not
+  /// what was missed.
+  void begin_anew();
+
   /// Start of a run of n steps. True when steps may be left out in it.
   bool begin(int n);
   /// Step at which the bed is looked at next.
@@ -68,8 +79,8 @@ class FixRestBed : public Fix {
   bool able_;                         // all of the script's fixes keep still when nothing moves
   double gravity_[3] = {0., 0., 0.};  // as last found
   double up_[3] = {0., 0., 0.};       // against it
-  bigint window_, next_;
-  bool looked_;  // in this run
+  bigint window_, next_, begun_;      // windows are counted from begun_
+  bool looked_;                       // in this run
   bigint skipped_, left_out_, wakings_;
 };
 

@@ -67,10 +67,18 @@ double RestTrack::allowed(int n, double most) const
 
 void RestTrack::charge(int n, double left_out)
 {
+  double all[3];
+  missed_with(n, left_out, all);
+  std::copy(all, all + 3, missed);
+}
+
+void RestTrack::missed_with(int n, double left_out, double all[3]) const
+{
+  std::copy(missed, missed + 3, all);
   if (n < 1 || left_out <= 0) return;
   double way[3];
   drift(n, way);
-  for (int k = 0; k < 3; k++) missed[k] += left_out * way[k];
+  for (int k = 0; k < 3; k++) all[k] += left_out * way[k];
 }
 
 /* ---------------------------------------------------------------------- */
@@ -78,7 +86,9 @@ void RestTrack::charge(int n, double left_out)
 // of this rest
 double RestWatch::here() const { return computed_ > 0 ? (mean_ - first_) / computed_ * left_out_ : 0; }
 
-double RestWatch::missed() const { return std::fabs(missed_ + here()); }
+double RestWatch::missed() const { return std::fabs(missed_way()); }
+
+double RestWatch::missed_way() const { return missed_ + here(); }
 
 void RestWatch::wake()
 {

@@ -47,6 +47,8 @@ struct RestTrack {
   /// Windows that may be left out before it misses a quarter of what `most` [m] leaves; no bound for one that
   /// goes less than 1e-5 of that in a window.
   double allowed(int n, double most) const;
+  /// What it has missed in all when so many were left out in this rest, of which n were computed [m].
+  void missed_with(int n, double left_out, double all[3]) const;
   /// So many were left out in this rest, of which n were computed.
   void charge(int n, double left_out);
 };
@@ -69,6 +71,8 @@ class RestWatch {
   int computed() const { return computed_; }            ///< windows of this rest
   double left_out() const { return left_out_ + out_; }  ///< likewise
   double missed() const;                                ///< estimate of what the mean height missed [m]
+  double missed_way() const;                            ///< likewise, downwards < 0
+  void resume(double missed) { missed_ = missed; }      ///< of a saved state
 
  private:
   double here() const;

@@ -19,7 +19,7 @@ using namespace LAMMPS_NS;
 
 /* ---------------------------------------------------------------------- */
 
-VerletClay::VerletClay(LAMMPS *lmp) : Verlet(lmp, 0, NULL), rest_(NULL), fluid_(NULL) {}
+VerletClay::VerletClay(LAMMPS *lmp) : VerletCoupled(lmp), rest_(NULL), fluid_(NULL) {}
 
 /* ----------------------------------------------------------------------
    window by window: computed ones by verlet, the others as the bed allows
@@ -32,17 +32,29 @@ void VerletClay::run(int n)
   rest_ = dynamic_cast<FixRestBed *>(modify->find_fix_style("rest/bed", 0));
   fluid_ = dynamic_cast<FixCoupleFoam *>(modify->find_fix_style("couple/foam", 0));
   if (!rest_ || !rest_->begin(n)) {
-    Verlet::run(n);
+    VerletCoupled::run(n);
     return;
   }
   while (update->ntimestep < end) {
-    const bigint due = std::min(end, rest_->next_look());
+    bigint due = std::min(end, rest_->next_look());
+    if (fluid_ && fluid_->saves()) due = std::min(due, fluid_->next_exchange());
     Verlet::run(static_cast<int>(due - update->ntimestep));
     if (update->ntimestep < due) return;  // asked to quit
+    if (save()) continue;
+    if (due < rest_->next_look()) continue;
     const bigint still = rest_->look();
     if (still) pass(std::min(end, update->ntimestep + still));
     if (SignalHandler::request_quit && !SignalHandler::request_write_restart) return;
   }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void VerletClay::ahead_of_saving()
+{
+  if (!rest_) return;
+  if (fluid_) fluid_->rest(false);
+  rest_->begin_anew();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -88,6 +100,7 @@ void VerletClay::pass(bigint end)
       output->write(step);
       timer->stamp(TIME_OUTPUT);
     }
+    if (save()) return;
     if (SignalHandler::request_quit && !SignalHandler::request_write_restart) break;
   }
   if (fluid_) fluid_->rest(false);

@@ -8,14 +8,17 @@
 #ifndef LMP_VERLET_CLAY_H
 #define LMP_VERLET_CLAY_H
 
-#include "verlet.h"
+#include "coupling/verlet_coupled.h"
 
 namespace LAMMPS_NS {
 
-class VerletClay : public Verlet {
+class VerletClay : public VerletCoupled {
  public:
   VerletClay(class LAMMPS *);
   void run(int);
+
+ protected:
+  void ahead_of_saving();
 
  private:
   void pass(bigint end);

@@ -19,7 +19,7 @@ LOCK = ".lock"
 _REMAINS = ("DEM", "CFD", "alone", "dem.json", "summary.json", "settling.csv", "stages.json", "*.png",
             "pressure_drop.csv", "bed.json",
             "*.liggghts", "packing.*", "packmol", "log.liggghts", "run.sh", "DEM.pvd",
-            "restart_forced_liggghts_*.data")  # LIGGGHTS's, when it is interrupted
+            "checkpoints", "restart_forced_liggghts_*.data")  # LIGGGHTS's, when it is interrupted
 # any of these says that something was computed
 _RESULTS = ("settling.csv", "DEM/dem.json", "DEM/spheres.*.dump", "CFD/cfd.json")
 # what OpenFOAM does not take in the name of a folder
@@ -119,16 +119,33 @@ def _beside(place):
         place = other
 
 
-def claim(case, out, overwrite=False, dry_run=False, tell=print):
-    """A folder for a run of the case, (its path, the lock it is held by), without what an older
-    run left there. out: --out, or None for results/NAME."""
+def place_of(case_name, out):
+    """The path of a run's folder; out: --out, or None for results/NAME."""
     fit(TOP, "the project's folder", "move the project")
     if out is not None and not out.strip():
         raise CaseError(f"--out {out!r}: must name a folder")
-    place = os.path.abspath(os.path.join(TOP, "results", case.name) if out is None else out)
+    place = os.path.abspath(os.path.join(TOP, "results", case_name) if out is None else out)
     fit(place, "--out", "name another folder")
     if os.path.lexists(place) and not os.path.isdir(place):
         raise CaseError(f"--out {place}: is a file; name a folder")
+    return place
+
+
+def claim_again(case_name, out):
+    """The folder of a run of the case that is to go on, as it is, (its path, the lock it is held by)."""
+    place = place_of(case_name, out)
+    mark = read_mark(place)
+    if mark is None:
+        raise CaseError(f"{place}: holds no run to go on with")
+    if mark["case"] != case_name:
+        raise CaseError(f"{place}: holds a run of case {mark['case']}")
+    return place, _lock(place)
+
+
+def claim(case, out, overwrite=False, dry_run=False, tell=print):
+    """A folder for a run of the case, (its path, the lock it is held by), without what an older
+    run left there. out: --out, or None for results/NAME."""
+    place = place_of(case.name, out)
     inside = holds(place)
     if inside == "other" and out is not None:
         raise CaseError(f"--out {place}: holds other things than a run; name a new folder")

@@ -54,6 +54,7 @@ class Outcome:
     reason: str
 
 
+_SAVING = 8  # seconds that a run which is stopped has to save its state
 _PR_SET_CHILD_SUBREAPER = 36
 
 
@@ -80,6 +81,7 @@ class Run:
 
     def __init__(self, folder, dem, cfd):
         self.folder, self.dem, self.cfd = folder, dem, cfd
+        self.restart = ""  # the DEM half's file of the saved state that the run goes on from
         self.wall = 0.0
 
     def exports(self):
@@ -98,8 +100,9 @@ class Run:
         words = ["mpirun", "--bind-to", "none"]
         if self.dem + self.cfd > cores():
             words.append("--oversubscribe")
+        restart = ["-var", "restart", "1", "-var", "restart_file", self.restart] if self.restart else []
         words += ["-np", str(self.dem), "liggghts-clay", "-in", "in.liggghts", "-log", "DEM/log",
-                  ":", "-np", str(self.cfd), "clayFoam", "-case", "CFD"]
+                  *restart, ":", "-np", str(self.cfd), "clayFoam", "-case", "CFD"]
         if self.cfd > 1:
             words.append("-parallel")
         return words
@@ -165,6 +168,11 @@ class Run:
     @staticmethod
     def _end(halves):
         """Nothing that was started is left behind."""
+        if halves and halves.poll() is None:
+            # at the next exchange both halves save their states, and end
+            halves.send_signal(signal.SIGUSR1)
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                halves.wait(_SAVING)
         if halves and halves.poll() is None:
             halves.terminate()
             try:

@@ -21,13 +21,13 @@ def fill(out, case, derived):
         with files.naming(out):
             shutil.copytree(source, out, dirs_exist_ok=True,
                             ignore=shutil.ignore_patterns("case.json", "README*", "check.py"))
-    _parameters(out, {**case.values, **derived})
+    parameters(out, {**case.values, **derived})
     if "packing" in case.values:
         packing.write(out, {**case.values, **derived})
     _mesh(os.path.join(out, "CFD"), case, derived)
 
 
-def _parameters(out, values):
+def parameters(out, values):
     """Hands every value to both halves, to each in its own words."""
     head = "This file is made by cases/run from case.json"
     with files.writing(os.path.join(out, "parameters.liggghts")) as f:

@@ -14,7 +14,7 @@ import time
 from cases.lib.case import files, openfoam, program
 from cases.lib.case.casefile import TOP
 from cases.lib.case.errors import CaseError
-from cases.lib.run import state
+from cases.lib.run import series, state
 
 _DAY = 86400.0
 
@@ -179,6 +179,7 @@ def _draw(case, run, derived, pictures, torn):
             if not torn:
                 raise
             print(f"  warning: {e}")
+    series.join_functions(os.path.join(run.folder, "CFD"))
     from cases.lib.output import paraview
     if glob.glob(os.path.join(glob.escape(run.folder), "DEM", "spheres.*.dump")):
         paraview.time_series(run.folder, v["dem_step"], torn)

@@ -2,6 +2,7 @@
 """cases/run: runs a coupled case from its one small folder."""
 
 import argparse
+import os
 import sys
 
 from cases.lib.case import casefile, program, settings, stops
@@ -16,13 +17,15 @@ def parser():
     p.add_argument("name", nargs="?", metavar="NAME", help="the case")
     p.add_argument("--list", action="store_true", help="list the cases and stop")
     p.add_argument("--keys", action="store_true", help="list the case's keys and stop")
-    p.add_argument("--dem", type=int, default=1, metavar="N", help="ranks of the DEM half (1)")
-    p.add_argument("--cfd", type=int, default=1, metavar="M", help="ranks of the CFD half (1)")
+    p.add_argument("--dem", type=int, metavar="N", help="ranks of the DEM half (1, or as before)")
+    p.add_argument("--cfd", type=int, metavar="M", help="ranks of the CFD half (1, or as before)")
     p.add_argument("--end", metavar="T", help="simulated time in s, short for --set end=T")
     p.add_argument("--out", metavar="DIR", help="the run folder (results/NAME)")
     p.add_argument("--overwrite", action="store_true", help="delete what an older run left in that folder")
     p.add_argument("--oversize", action="store_true",
                    help="run it even if it needs more memory or cores than this machine has")
+    p.add_argument("--continue", action="store_true", dest="go_on",
+                   help="go on with the run in that folder, from its last saved state, to its end or to --end")
     p.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="change a value")
     p.add_argument("--dry-run", action="store_true",
                    help="make the run folder and print the commands that run the case")
@@ -56,9 +59,11 @@ def main():
         print(case.table())
         return 0
     for option, ranks in (("--dem", args.dem), ("--cfd", args.cfd)):
-        if ranks < 1:
+        if ranks is not None and ranks < 1:
             raise CaseError(f"{option} {ranks}: must be at least 1")
-    derived = case.derive(args.dem, args.cfd)
+    if args.go_on:
+        return go_on(args)
+    derived = case.derive(args.dem or 1, args.cfd or 1)
 
     from cases.lib.run import folders, launch, plan, prepare  # which need more than Python's own modules
     foreseen = plan.foresee({**case.values, **derived})
@@ -69,11 +74,31 @@ def main():
     folder, lock = folders.claim(case, args.out, args.overwrite, args.dry_run)
     with lock:
         prepare.fill(folder, case, derived)
-        run = launch.Run(folder, args.dem, args.cfd)
+        run = launch.Run(folder, derived["dem_ranks"], derived["cfd_ranks"])
         run.write_script()
         if args.dry_run:
             print(run.script(), end="")
             return 0
+        return go(case, run, derived, lock, args)
+
+
+def go_on(args):
+    """Goes on with a run from its last saved state; gives the exit code."""
+    if args.set or args.overwrite or args.dry_run:
+        raise CaseError("--continue goes on with the run as it is: only --end, --dem, --cfd go with it")
+    from cases.lib.run import folders, going_on, launch, report_main
+    folder, lock = folders.claim_again(args.name, args.out)
+    with lock:
+        case, ranks = report_main.case_of(folder)
+        if args.end is not None:
+            settings.apply(case, settings.read([f"end={args.end}"]), print)
+        derived = case.derive(args.dem or ranks[0], args.cfd or ranks[1])
+        pair = going_on.set_up(folder, case, derived)
+        run = launch.Run(folder, derived["dem_ranks"], derived["cfd_ranks"])
+        run.restart = os.path.relpath(pair.dem, folder)
+        run.write_script()
+        print(f"cases/run: goes on from {pair.time:.6g} s of {case.values['end']:.6g} s, "
+              f"the state in {os.path.relpath(pair.folder, folder)}", flush=True)
         return go(case, run, derived, lock, args)
 
 

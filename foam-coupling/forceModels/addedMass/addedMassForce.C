@@ -60,9 +60,17 @@ void Foam::forceModels::addedMass::prepare(const fluidState& fluid)
                 zeroGradientFvPatchVectorField::typeName
             )
         );
+        lastTime_ = now;
+        const dictionary saved(savedNumbers(mesh));
+        // all ranks alike: savedNumbers() is collective
+        if (!saved.empty())
+        {
+            readCells(mesh, "addedMassU", lastU_);
+            saved.readEntry("addedMassTime", lastTime_);
+        }
     }
     // all ranks alike: they share their time
-    else if (now > lastTime_)
+    if (now > lastTime_)
     {
         DUDt_->primitiveFieldRef() =
             (fluid.U.primitiveField() - lastU_)/(now - lastTime_)
@@ -82,4 +90,11 @@ void Foam::forceModels::addedMass::add
 ) const
 {
     force += Cm_*fluid.rho*DUDt_->primitiveField();
+}
+
+
+void Foam::forceModels::addedMass::save(stateWriter& to)
+{
+    to.cells("addedMassU", lastU_);
+    to.numbers().set("addedMassTime", lastTime_);
 }

@@ -279,6 +279,9 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
     setRefCell(p_, pimple_.dict(), pRefCell_, pRefValue_);
     mesh_.setFluxRequired(p_.name());
     turbulenceN_ == dimensionedScalar("one", dimless, 1);
+    // made here, n of before is not overwritten in the first step: a field
+    // that has none keeps its own value as the old one when it is set
+    turbulenceN_.oldTime();
     turbulence_->validate();
 }
 

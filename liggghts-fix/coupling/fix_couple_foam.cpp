@@ -405,10 +405,7 @@ void FixCoupleFoam::stop(int signal)
   if (pending_) take_answer();
   report_->finish(*session_, settings_.interval, watch_ ? watch_->wall_overlap() : 0.);
   const double left = (update->laststep - update->ntimestep) * update->dt, now = update->get_cur_time();
-  std::string why = clay::stop_reason(signal, now, now + left);
-  if (saver_ && saver_->saved() >= 0)
-    why += "; the last saved state is that of step " + std::to_string(saver_->saved());
-  clay::abandon(why);
+  clay::abandon(clay::stop_reason(signal, now, now + left) + (saver_ ? saver_->last_words() : ""));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -116,6 +116,7 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   void make_more();
   void make_kept();
   void save();
+  bool is_sound() const;
   void tell_motions();
   void check_finite();
   void take_answer();

@@ -6,6 +6,7 @@
 ------------------------------------------------------------------------- */
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "atom.h"
@@ -13,6 +14,7 @@
 #include "comm.h"
 #include "coupling/coupling_report.h"
 #include "coupling/fix_couple_foam.h"
+#include "coupling/runaway_watch.h"
 #include "coupling/state_saver.h"
 #include "memory.h"
 #include "update.h"
@@ -178,10 +180,33 @@ void FixCoupleFoam::begins_saving()
 
 void FixCoupleFoam::save()
 {
-  const clay::SavedPair pair = saver_->write();
-  if (pair.number == 0.) report_->warn("no state was saved: " + saver_->why());
+  clay::SavedPair pair;
+  if (!is_sound()) report_->warn("no state was saved: a particle is NaN or moves more than its diameter in a step");
+  else if ((pair = saver_->write()).number == 0.) report_->warn("no state was saved: " + saver_->why());
   send(update->ntimestep == update->laststep, pair);
   take_answer();
+  if (pair.number == 0.) return;
+  saver_->look_for_it();
+  if (watch_) watch_->last_words(saver_->last_words());
+}
+
+/* ----------------------------------------------------------------------
+   a state that has run away never takes the place of a good one
+------------------------------------------------------------------------- */
+
+bool FixCoupleFoam::is_sound() const
+{
+  int sound = 1, all;
+  const double most = 2. / update->dt;
+  for (int i = 0; i < atom->nlocal && sound; i++) {
+    const double *v = atom->v[i], *x = atom->x[i], *omega = atom->omega[i];
+    const double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    double sum = x[0] + x[1] + x[2] + omega[0] + omega[1] + omega[2];
+    for (int k = 0; k < KEPT; k++) sum += kept_[i][k];
+    sound = speed <= most * atom->radius[i] && std::isfinite(sum);
+  }
+  MPI_Allreduce(&sound, &all, 1, MPI_INT, MPI_MIN, world);
+  return all;
 }
 
 void FixCoupleFoam::ends_saving()

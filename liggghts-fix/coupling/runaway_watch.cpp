@@ -44,7 +44,7 @@ void RunawayWatch::stop(int i, const char *why, bigint since)
   end(text);
 }
 
-void RunawayWatch::end(const std::string &text) { error->one(FLERR, text.c_str()); }
+void RunawayWatch::end(const std::string &text) { error->one(FLERR, (text + last_words_).c_str()); }
 
 /* ---------------------------------------------------------------------- */
 

@@ -27,6 +27,8 @@ class RunawayWatch : protected Pointers {
   void places(const std::function<bool(int)> &may_leave = [](int) { return false; });
   /// At an exchange, with the largest overlap of two particles over d.
   void overlaps(double overlap, int tag1, int tag2);
+  /// What is said behind the reason when it ends a run.
+  void last_words(const std::string &text) { last_words_ = text; }
   /// Largest overlap with a wall, over d, that was seen at an exchange.
   double wall_overlap() const { return wall_overlap_; }
 
@@ -42,6 +44,7 @@ class RunawayWatch : protected Pointers {
 
   bigint checked_, held_;  // last steps at which speeds and overlaps were well
   double wall_overlap_;
+  std::string last_words_;
 };
 
 }  // namespace LAMMPS_NS

@@ -70,10 +70,24 @@ clay::SavedPair StateSaver::write()
   if (!good) {
     if (comm->me == 0) clay::dropPair(folder_, pair_);
     pair_.number = 0.;
-  } else saved_ = update->ntimestep;
+  } else written_ = update->ntimestep;
   const clay::SavedPair written = pair_;
   pair_.number = 0.;
   return written;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void StateSaver::look_for_it()
+{
+  int there = comm->me == 0 && std::filesystem::is_directory(clay::pairFolder(folder_, {0., double(written_)}));
+  MPI_Bcast(&there, 1, MPI_INT, 0, world);
+  if (there) saved_ = written_;
+}
+
+std::string StateSaver::last_words() const
+{
+  return saved_ < 0 ? "" : "; the last saved state is that of step " + std::to_string(saved_);
 }
 
 /* ---------------------------------------------------------------------- */

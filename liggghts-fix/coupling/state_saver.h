@@ -32,8 +32,11 @@ class StateSaver : protected Pointers {
   /// Why the last one was not written; empty when it was.
   const std::string &why() const { return why_; }
 
-  /// Step of the last one written here, below 0 for none.
-  bigint saved() const { return saved_; }
+  /// Whether the other half has finished the last one: it stands in its place then. Collective.
+  void look_for_it();
+
+  /// "; the last saved state is that of step N" for the last words of a run, empty for none.
+  std::string last_words() const;
 
   /// The pair that is being written, 0 for none; for the restart file.
   double number() const { return pair_.number; }
@@ -45,8 +48,8 @@ class StateSaver : protected Pointers {
   std::string folder_, why_;
   const double seconds_;
   const int steps_;
-  double last_;  // wall time of the last one [s]
-  bigint saved_ = -1;
+  double last_;                       // wall time of the last one [s]
+  bigint written_ = -1, saved_ = -1;  // steps of what this half has written, and of what stands
   clay::SavedPair pair_;
 };
 

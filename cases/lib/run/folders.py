@@ -6,6 +6,7 @@ import glob
 import json
 import os
 import re
+import shlex
 import shutil
 
 from cases.lib.case import files
@@ -142,6 +143,20 @@ def claim_again(case_name, out):
     return place, _lock(place)
 
 
+def offer(place, case, called=None):
+    """The command by which the run of that folder, then called so, goes on to the case's end; empty where it has no
+    saved state, is there already, or has other settings."""
+    mark, end = read_mark(place), case.values["end"]
+    pairs = os.path.join(place, "checkpoints")
+    saved = os.path.isdir(pairs) and any(map(str.isdigit, os.listdir(pairs)))
+    if mark is None or mark["case"] != case.name or not saved:
+        return ""
+    if {**mark["values"], "end": end} != case.values or (summary(place).get("simulated_s") or 0) >= end:
+        return ""
+    further = "" if mark["values"].get("end") == end else f" --end {end:.12g}"
+    return f"cases/run {case.name} --out {shlex.quote(called or place)} --continue{further}"
+
+
 def claim(case, out, overwrite=False, dry_run=False, tell=print):
     """A folder for a run of the case, (its path, the lock it is held by), without what an older
     run left there. out: --out, or None for results/NAME."""
@@ -158,10 +173,14 @@ def claim(case, out, overwrite=False, dry_run=False, tell=print):
         if inside in ("finished", "unfinished", "other") and not (overwrite and inside != "other"):
             what = _words(inside, place)
             if out is not None or dry_run:
-                raise CaseError(f"--out {place}: holds {what}; name another folder, or give --overwrite to delete it")
+                more = offer(place, case)
+                raise CaseError(f"--out {place}: holds {what}; name another folder, or give --overwrite to delete it" +
+                                (f", or go on with it: {more}" if more else ""))
             aside = _free(place)
+            more = offer(place, case, os.path.relpath(aside, TOP))
             os.rename(place, aside)
-            tell(f"{os.path.relpath(place, TOP)} held {what}: it is {os.path.relpath(aside, TOP)} now")
+            tell(f"{os.path.relpath(place, TOP)} held {what}: it is {os.path.relpath(aside, TOP)} now" +
+                 (f"; it would go on by {more}" if more else ""))
             lock.close()
             lock = _lock(place)
         else:

@@ -70,6 +70,31 @@ def test_a_run_in_out_is_refused(tmp_path, case, complete, what):
     assert sorted(os.listdir(place)) == [".lock", "case.json", "case.txt"]
 
 
+def test_a_shorter_run_is_offered_to_go_on(top, case):
+    """Where it has a saved state, and nothing but the end differs."""
+    place, lock = folders.claim(case, None, tell=lambda _: None)
+    folders.write_mark(place, case, (1, 1))
+    lock.close()
+    results(place, True)
+    longer = Case(case.name)
+    longer.values["end"] = 0.75
+    assert folders.offer(place, longer) == "", "without a saved state"
+    os.makedirs(os.path.join(place, "checkpoints", "000000500.part"))
+    assert folders.offer(place, longer) == "", "it was not finished"
+    os.makedirs(os.path.join(place, "checkpoints", "000000500"))
+    assert folders.offer(place, longer) == f"cases/run {case.name} --out {place} --continue --end 0.75"
+    assert folders.offer(place, case) == f"cases/run {case.name} --out {place} --continue", "to its own end"
+    with pytest.raises(CaseError, match="or go on with it: cases/run clump-half --out .* --continue --end 0.75$"):
+        folders.claim(longer, place)
+    for key, value in (("end", 0.1), ("seed", 2)):
+        other = Case(case.name)
+        other.values[key] = value
+        assert folders.offer(place, other) == "", key
+    said = []
+    folders.claim(longer, None, tell=said.append)[1].close()
+    assert said[0].endswith("it would go on by cases/run clump-half --out results/clump-half.1 --continue --end 0.75")
+
+
 def test_what_was_only_prepared_is_used_again(tmp_path, case):
     place = take(case, str(tmp_path / "run"))
     with open(os.path.join(place, "in.liggghts"), "w", encoding="utf-8") as f:

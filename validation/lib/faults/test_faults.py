@@ -8,7 +8,7 @@ import sys
 import time
 
 from cases.lib.case.casefile import TOP
-from validation.lib.faults import inputs, kills, tries, victim
+from validation.lib.faults import going_on, inputs, kills, tries, victim
 
 
 def test_the_same_inputs_every_time():
@@ -31,6 +31,22 @@ def test_exit_codes():
     assert kills.wanted_code("DEM half", "KILL") == kills.wanted_code("mpirun", "TERM") == 1
     assert [kills.wanted_code("cases/run", n) for n in ("KILL", "SEGV", "TERM", "INT", "HUP", "USR1")] == [
         -9, -11, 143, 130, 129, 138]
+
+
+def test_runs_that_go_on_are_drawn_and_compared(tmp_path):
+    plan = going_on.plan(20)
+    assert plan == going_on.plan(20) and len(plan) == 20 * len(going_on.TRIALS)
+    assert {t["ranks"] for t in plan} == {(1, 1), (2, 1)}
+    assert going_on.SAVES < set(going_on.TRIALS)
+    for name, text in (("a", "time_s,time_days,z\n0,9,-4\n1,9,2\n"), ("b", "time_s,time_days,z\n0,8,-4\n1,8,2.4\n"),
+                       ("c", "time_s,time_days,z\n0,9,-4\n")):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "settling.csv").write_text(text)
+    a, b, c = (going_on.curve(str(tmp_path / name)) for name in "abc")
+    assert a == [[0, -4], [1, 2]]
+    assert going_on.apart(a, a) == 0
+    assert abs(going_on.apart(a, b) - 0.1) < 1e-15
+    assert going_on.apart(a, c) == going_on.apart([], []) == float("inf")
 
 
 class Ended:

@@ -12,10 +12,11 @@ import tempfile
 from cases.lib.case import cache
 from cases.lib.case.casefile import TOP
 from validation.lib.checks import coupled
-from validation.lib.faults import inputs, kills, tries, victim
+from validation.lib.faults import going_on, inputs, kills, tries, victim
 
 TITLE = "faults: kills, full disks, two runs at once, damaged caches, odd inputs"
-PARTS = ("kills", "stops", "twice", "caches", "disk", "inputs", "moved", "messages")  # of --part
+PARTS = ("kills", "continue", "stops", "twice", "caches", "disk", "inputs", "moved", "messages")  # of --part
+SAVED_BESIDE = 1e-6
 _PLACE = os.path.join(coupled.RUNS, "faults")
 
 
@@ -31,6 +32,32 @@ def _kills(checks, known, long):
     for (target, name), said in wrong.items():
         bad = [s for s in said if s]
         checks.true(f"SIG{name} to {target}: {len(said)} ended right", not bad, bad[0] if bad else len(said))
+
+
+def _continue(checks, known, long):
+    """A run that is ended goes on by --continue, and ends with the curve of one that was not."""
+    trials = going_on.plan(20 if long else 1)
+    if not long:
+        short = (("CFD half", "KILL"), ("mpirun", "KILL"), ("DEM half", "TERM"), ("cases/run", "INT"))
+        trials = [t for t in trials if (t["target"], t["signal"]) in short]
+    wanted, said = {}, {}
+    for t in trials:
+        ranks = t["ranks"]
+        if ranks not in wanted:
+            wanted[ranks], why = going_on.whole(os.path.join(_PLACE, "whole"), t)
+            checks.true(f"a run on {ranks[0]} + {ranks[1]} ranks that nothing is done to", wanted[ranks], why)
+        if not wanted[ranks]:
+            continue
+        # what is saved beside the steps of checkpoint_steps sums in another order from there on
+        most = SAVED_BESIDE if (t["target"], t["signal"]) in going_on.SAVES else 0.0
+        what = " ".join(str(t[k]) for k in ("target", "signal", "number"))
+        said.setdefault((t["target"], t["signal"]), []).append(known.outcome(
+            f"continue {what}", lambda t=t, ranks=ranks, most=most:
+            going_on.attempt(t, os.path.join(_PLACE, "continue"), wanted[ranks], most)))
+    for (target, name), found in said.items():
+        bad = [s for s in found if s]
+        checks.true(f"SIG{name} to {target}, then --continue: {len(found)} with the curve of a run that was not ended",
+                    not bad, bad[0] if bad else len(found))
 
 
 def _stops(checks, _known, long):
@@ -211,8 +238,8 @@ def _messages(checks, _known, _long):
     checks.true("damaged messages: exchange.decode, damage_runs, fuzz", done.status == 0, done.output.strip()[-200:])
 
 
-_DO = {"kills": _kills, "stops": _stops, "twice": _twice, "caches": _caches, "disk": _disk, "inputs": _inputs,
-       "moved": _moved, "messages": _messages}
+_DO = {"kills": _kills, "continue": _continue, "stops": _stops, "twice": _twice, "caches": _caches, "disk": _disk,
+       "inputs": _inputs, "moved": _moved, "messages": _messages}
 
 
 def run(checks):

@@ -1,0 +1,92 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""A run that is ended from outside and goes on by cases/run --continue, against one that nothing was done to."""
+
+import csv
+import os
+import random
+import signal
+import time
+
+from cases.lib.run import pairs
+from validation.lib.faults.kills import wanted_code
+from validation.lib.faults.victim import Run
+
+CASE = "clump-half"
+# a saved state every 0.02 s: nobody tells the run of the kill that it would be well to save one
+WORDS = ("--end", "0.3", "--set", "checkpoint_steps=1000")
+TRIALS = (("DEM half", "KILL"), ("CFD half", "KILL"), ("mpirun", "KILL"), ("cases/run", "KILL"), ("DEM half", "SEGV"),
+          ("CFD half", "SEGV"), ("DEM half", "TERM"), ("DEM half", "INT"), ("DEM half", "USR1"), ("cases/run", "TERM"),
+          ("cases/run", "INT"), ("cases/run", "USR1"), ("mpirun", "USR1"))
+# to these the DEM half saves its state at the next exchange
+SAVES = {("DEM half", "TERM"), ("DEM half", "INT"), ("DEM half", "USR1"), ("cases/run", "TERM"), ("cases/run", "INT"),
+         ("cases/run", "USR1"), ("mpirun", "USR1")}
+
+
+def plan(tries, seed=1):
+    """What is to be tried, as kills.plan() has it."""
+    found = []
+    for target, name in TRIALS:
+        for number in range(tries):
+            rng = random.Random(f"on {seed} {target} {name} {number}")
+            found.append({"target": target, "signal": name, "number": number, "moment": rng.uniform(0, 1),
+                          "ranks": rng.choice([(1, 1), (1, 1), (2, 1)])})
+    return found
+
+
+def curve(folder):
+    """The rows of settling.csv as numbers, without the days."""
+    with open(os.path.join(folder, "settling.csv"), encoding="utf-8", newline="") as f:
+        return [[float(r[k]) for k in r if k != "time_days"] for r in csv.DictReader(x for x in f if x[0] != "#")]
+
+
+def apart(one, other):
+    """The largest difference of two curves, by the largest value of the column; infinite where rows differ."""
+    if len(one) != len(other) or not one:
+        return float("inf")
+    size = [max(max(abs(x) for x in column), 1e-300) for column in zip(*one)]
+    return max(abs(a - b) / s for r, t in zip(one, other) for a, b, s in zip(r, t, size))
+
+
+def ranks(trial):
+    dem, cfd = trial["ranks"]
+    return ("--dem", str(dem), "--cfd", str(cfd))
+
+
+def whole(folder, trial):
+    """The curve of a run on these ranks that nothing is done to; None and what it said when it did not end well."""
+    with Run(CASE, folder, "--overwrite", *WORDS, *ranks(trial)) as run:
+        code, _ = run.end()
+        return (curve(folder), "") if code == 0 else (None, run.said().strip()[-200:])
+
+
+def attempt(trial, folder, wanted, most):
+    """Ends one and goes on; what was wrong, "" for nothing. most: how far from the wanted curve."""
+    number = getattr(signal, "SIG" + trial["signal"])
+    top = os.path.join(folder, pairs.FOLDER)
+    with Run(CASE, folder, "--overwrite", *WORDS, *ranks(trial)) as run:
+        # not the folder of a run that was here before
+        if not run.until(lambda: run.marches() and os.path.isdir(top) and any(map(str.isdigit, os.listdir(top)))):
+            return f"did not come to its first saved state: {run.said().strip()[-200:]}"
+        time.sleep(trial["moment"])
+        run.look()
+        if not run.send(trial["target"], number):
+            return f"nobody to send it to: {run.said().strip()[-200:]}"
+        code, _ = run.end()
+        left = run.left()
+        if code != wanted_code(trial["target"], trial["signal"]) or left:
+            return f"exit code {code}, left: {left}: {run.said().strip()[-200:]}"
+        if run.state().get("complete") and code > 0:
+            return "was complete before the signal came"
+        said = run.said()
+    last = pairs.latest(folder, lambda _: None)
+    if (trial["target"], trial["signal"]) in SAVES and f"the last saved state is that of step {last.step}" not in said:
+        return f"{last.folder} is the last state, the run said: {said.strip()[-200:]}"
+    with Run(CASE, folder, "--continue") as run:
+        code, _ = run.end()
+        said = run.said()
+        if code != 0:
+            return f"--continue: exit code {code}: {said.strip()[-200:]}"
+        if f"goes on from {last.time:.6g} s" not in said or not run.state().get("complete"):
+            return f"--continue says: {said.strip()[:200]}"
+    far = apart(wanted, curve(folder))
+    return "" if far <= most else f"the curve is {far:.2g} from that of a run that was not ended"

@@ -41,10 +41,10 @@ void RunawayWatch::stop(int i, const char *why, bigint since)
            "velocity (%g %g %g) m/s; last check passed at step " BIGINT_FORMAT
            "; a smaller timestep, a stiffer contact or a shorter coupling interval may help",
            atom->tag[i], why, update->ntimestep, update->get_cur_time(), x[0], x[1], x[2], v[0], v[1], v[2], since);
-  end(text);
+  end(text + last_words_);
 }
 
-void RunawayWatch::end(const std::string &text) { error->one(FLERR, (text + last_words_).c_str()); }
+void RunawayWatch::end(const std::string &text) { error->one(FLERR, text.c_str()); }
 
 /* ---------------------------------------------------------------------- */
 
@@ -89,7 +89,7 @@ void RunawayWatch::overlaps(double overlap, int tag1, int tag2)
              "Fix couple/foam: particles %d and %d overlap by %.2g d at step " BIGINT_FORMAT " (%g s), more than "
              "%g d: the contact is too soft for its load; take a larger stiffness",
              tag1, tag2, overlap, update->ntimestep, update->get_cur_time(), most_overlap);
-    end(text);
+    end(text + last_words_);
   }
   const clay::MovingGroups moving = moving_groups(lmp);
   for (FixWallGran *w : primitive_walls(lmp))

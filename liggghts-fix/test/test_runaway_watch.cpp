@@ -92,6 +92,9 @@ TEST(RunawayWatch, namesTheParticleAndSinceWhen)
   x[1] = 0.0101;
   expect(said(places), "particle 1 was pushed out of the box");
   expect(said(places), "last check passed at step 20");
+  watch.last_words("; the last saved state is that of step 12");
+  expect(said(places), "may help; the last saved state is that of step 12");
+  expect(said([&] { watch.overlaps(0.5, 1, 2); }), "stiffness; the last saved state is that of step 12");
   // unless it has left the fluid before
   EXPECT_EQ(said([&] { watch.places([](int) { return true; }); }), "");
   x[1] = nan;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "atom.h"
 #include "clumps/fix_multisphere_clump.h"
@@ -16,6 +17,7 @@
 #include "coupling/fix_couple_foam.h"
 #include "coupling/runaway_watch.h"
 #include "coupling/state_saver.h"
+#include "error.h"
 #include "memory.h"
 #include "update.h"
 
@@ -25,7 +27,7 @@ namespace {
 
 // ahead of what is written here: in older files it is the time, and all there is
 constexpr double MARK = -1e300;
-enum { MARKED, TIME, LAST_TIME, PAIR, GIVEN, EXCHANGES = GIVEN + 3, BEGIN, STATE };
+enum { MARKED, TIME, LAST_TIME, PAIR, GIVEN, EXCHANGES = GIVEN + 3, BEGIN, PULLS, STATE };
 
 // of an atom in a restart file: how much there is, and which rows
 enum { LENGTH, ROWS, HEAD };
@@ -50,9 +52,12 @@ void FixCoupleFoam::write_restart(FILE *fp)
   std::copy(given, given + 3, state + GIVEN);
   state[EXCHANGES] = static_cast<double>(exchanges_);
   state[BEGIN] = report_->start_time();
-  const int size = sizeof state;
+  const std::vector<double> pulls = mean_pull_.numbers();
+  state[PULLS] = static_cast<double>(pulls.size());
+  const int size = sizeof state + pulls.size() * sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(state, sizeof(double), STATE, fp);
+  fwrite(pulls.data(), sizeof(double), pulls.size(), fp);
 }
 
 void FixCoupleFoam::restart(char *buf)
@@ -70,6 +75,9 @@ void FixCoupleFoam::restart(char *buf)
   start_pair_ = state[PAIR];
   if (comm->me == 0) std::copy(state + GIVEN, state + GIVEN + 3, given_);
   exchanges_ = static_cast<long>(state[EXCHANGES]);
+  std::vector<double> pulls(static_cast<size_t>(state[PULLS]));
+  std::memcpy(pulls.data(), buf + sizeof state, pulls.size() * sizeof(double));
+  mean_pull_.take(pulls);
   if (start_pair_ > 0.) report_->goes_on_from(state[BEGIN]);
 }
 
@@ -97,6 +105,8 @@ void FixCoupleFoam::unpack_restart(int nlocal, int nth)
   const double *from = atom->extra[nlocal];
   for (int n = 0; n < nth; n++) from += static_cast<int>(*from);
   const int rows = static_cast<int>(from[ROWS]);
+  if (from[LENGTH] != HEAD + Row::SIZE + (rows & WITH_MORE ? (int)More::SIZE : 0) + (rows & WITH_KEPT ? (int)KEPT : 0))
+    error->one(FLERR, "Fix couple/foam: the restart file is of another version of clayFoam");
   from += HEAD;
   std::copy(from, from + Row::SIZE, fluid_[nlocal]);
   fluid_[nlocal][Row::SLOT] = -1;

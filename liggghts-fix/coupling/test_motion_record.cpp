@@ -326,6 +326,13 @@ TEST(GroupGravity, meanOverSteps)
   for (int n = 0; n < 4; n++) sum.gather(step, 0.5);
   EXPECT_DOUBLE_EQ(sum.by(0.5).on(1)[1], 2.);
   EXPECT_DOUBLE_EQ(sum.by(0.5).on(1 | 4)[2], 2.);
+  GroupGravity back;
+  back.add(8, {{9., 9., 9.}});
+  back.take(sum.numbers());
+  EXPECT_EQ(back.numbers(), sum.numbers());
+  EXPECT_EQ(back.on(1), sum.on(1));
+  EXPECT_EQ(back.on(4), sum.on(4));
+  EXPECT_EQ(back.on(8)[0], 0.);
   sum.clear();
   EXPECT_EQ(sum.by(1.).on(1)[0], 0.);
 }

@@ -19,7 +19,8 @@ def run(checks):
             continue
         for key in ("place", "velocity", "fluid"):
             checks.at_most(f"{feature}: {key}", float(found[key]), 1e-12)
-        checks.true(f"{feature}: to the last bit", found["same"], found["same"])
+        if feature not in restarts.BODIES:
+            checks.true(f"{feature}: to the last bit", found["same"], found["same"])
     for dem, cfd in (("2", "2"), ("1", "2"), ("2", "1")):
         words = ("--dem", dem, "--cfd", cfd)
         found = restarts.compare("spheres", f"restart-features/ranks-{dem}-{cfd}", other_ranks=words)

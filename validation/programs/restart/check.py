@@ -14,7 +14,8 @@ def run(checks):
         found = restarts.compare(feature, f"restart/{feature.replace(' ', '-')}")
         for key in ("place", "velocity", "fluid"):
             checks.at_most(f"{feature}: {key}", float(found[key]), 1e-12)
-        checks.true(f"{feature}: to the last bit", found["same"], found["same"])
+        if feature not in restarts.BODIES:
+            checks.true(f"{feature}: to the last bit", found["same"], found["same"])
         checks.true(f"{feature}: says where it took up", "goes on from" in found["said"], "")
         one, two = (coupled.settling(found[part]) for part in ("whole", "parts"))
         checks.equal(f"{feature}: rows of the curve", len(two["time_s"]), len(one["time_s"]))

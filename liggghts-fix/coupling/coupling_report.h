@@ -34,7 +34,9 @@ class CouplingReport : protected Pointers {
   /// Marks the end of a run and writes dem.json. wall_overlap: largest with a wall, over d.
   void finish(const clay::DemSession &session, int interval, double wall_overlap);
 
-  /// Largest overlap over d at the last exchange on this rank, and whose it is.
+  /// Looks for the largest overlap there is now.
+  void measure_overlap();
+  /// What it was at the last look on this rank, over d, and whose it is.
   double overlap() const { return now_.depth; }
   int first() const { return now_.first; }
   int second() const { return now_.second; }
@@ -55,7 +57,6 @@ class CouplingReport : protected Pointers {
   void warn(const std::string &text);
 
  private:
-  void measure_overlap();
   long all(long mine) const;
   void count();
   void line(const clay::DemSession &session);

@@ -190,6 +190,11 @@ void FixCoupleFoam::begins_saving()
 
 void FixCoupleFoam::save()
 {
+  if (watch_) {
+    // ahead of the exchange, where it looks as well
+    report_->measure_overlap();
+    watch_->overlaps(report_->overlap(), report_->first(), report_->second());
+  }
   clay::SavedPair pair;
   if (!is_sound()) report_->warn("no state was saved: a particle is NaN or moves more than its diameter in a step");
   else if ((pair = saver_->write()).number == 0.) report_->warn("no state was saved: " + saver_->why());

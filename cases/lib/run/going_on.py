@@ -53,6 +53,8 @@ def _next(stem):
 def cut(folder, pair, dem_step):
     """Takes away what was written after the pair, and puts the logs and measures of the part before aside."""
     cfd = os.path.join(folder, "CFD")
+    for path in glob.glob(os.path.join(glob.escape(folder), pairs.FOLDER, "*.part")):
+        shutil.rmtree(path)  # a half was killed while it wrote
     path = os.path.join(folder, "settling.csv")
     if os.path.isfile(path):
         # the row of that step is written again

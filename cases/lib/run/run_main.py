@@ -104,7 +104,7 @@ def go_on(args):
 
 def go(case, run, derived, lock, args):
     """Runs a prepared case, says how it ended, and reports it; gives the exit code."""
-    from cases.lib.run import state
+    from cases.lib.run import folders, state
     end = case.values["end"]
     state.write(run.folder, case.name, end, state.UNDER_WAY)
     try:
@@ -120,8 +120,10 @@ def go(case, run, derived, lock, args):
     if code:
         with stops.passed_over():
             s = state.write(run.folder, case.name, end, reason, run.wall)
+            more = folders.offer(run.folder, case)
+            further = f"; it would go on by {more}" if more else ""
             print(f"cases/run: stopped after {run.wall:.1f} s at {s['simulated_s']:.4g} s of {end:.4g} s; "
-                  f"logs in {run.folder}/DEM/log and CFD/log; cases/report draws what there is\n{reason}",
+                  f"logs in {run.folder}/DEM/log and CFD/log; cases/report draws what there is{further}\n{reason}",
                   file=sys.stderr)
         return code
     from cases.lib.run import report

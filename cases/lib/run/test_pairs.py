@@ -92,7 +92,9 @@ def test_what_came_after_it_is_cut_away(tmp_path):
     functions = tmp_path / "CFD" / "postProcessing" / "inlet" / "0"
     functions.mkdir(parents=True)
     (functions / "p.dat").write_text("# Time p\n0.05 1\n0.1 2\n0.15 3\n0.2")
+    (tmp_path / "checkpoints" / "000000150.part" / "dem").mkdir(parents=True)
     going_on.cut(str(tmp_path), found, 1e-3)
+    assert os.listdir(tmp_path / "checkpoints") == ["000000100"]
     assert (tmp_path / "settling.csv").read_text() == "time_s,interface_m\n0,1\n0.05,2\n"
     assert sorted(p.name for p in (tmp_path / "CFD").iterdir()) == ["0", "0.05", "0.1", "postProcessing"]
     assert (functions / "p.dat").read_text() == "# Time p\n0.05 1\n0.1 2\n"

@@ -11,9 +11,11 @@ from cases.lib.run import pairs
 from validation.lib.faults.kills import wanted_code
 from validation.lib.faults.victim import Run
 
-CASE = "clump-half"
+# spheres: two runs that differ by rounding stay together longer than clumps do
+CASE = "sphere-half"
 # a saved state every 0.02 s: nobody tells the run of the kill that it would be well to save one
-WORDS = ("--end", "0.3", "--set", "checkpoint_steps=1000")
+WORDS = ("--end", "0.5", "--set", "seed=977", "--set", "spheres=40", "--set", "checkpoint_steps=1000")
+INTERVAL = 1e-3  # [s] of the coupling
 TRIALS = (("DEM half", "KILL"), ("CFD half", "KILL"), ("mpirun", "KILL"), ("cases/run", "KILL"), ("DEM half", "SEGV"),
           ("CFD half", "SEGV"), ("DEM half", "TERM"), ("DEM half", "INT"), ("DEM half", "USR1"), ("cases/run", "TERM"),
           ("cases/run", "INT"), ("cases/run", "USR1"), ("mpirun", "USR1"))
@@ -79,8 +81,10 @@ def attempt(trial, folder, wanted, most):
             return "was complete before the signal came"
         said = run.said()
     last = pairs.latest(folder, lambda _: None)
-    if (trial["target"], trial["signal"]) in SAVES and f"the last saved state is that of step {last.step}" not in said:
+    if (trial["target"], trial["signal"]) in SAVES and not last.time >= run.state().get("simulated_s", 0) - INTERVAL:
         return f"{last.folder} is the last state, the run said: {said.strip()[-200:]}"
+    if "--continue" not in said and code > 0:
+        return f"it was not said that it can go on: {said.strip()[-200:]}"
     with Run(CASE, folder, "--continue") as run:
         code, _ = run.end()
         said = run.said()

@@ -16,7 +16,7 @@ from validation.lib.faults import going_on, inputs, kills, tries, victim
 
 TITLE = "faults: kills, full disks, two runs at once, damaged caches, odd inputs"
 PARTS = ("kills", "continue", "stops", "twice", "caches", "disk", "inputs", "moved", "messages")  # of --part
-SAVED_BESIDE = 1e-6
+SAVED_BESIDE = 1e-3
 _PLACE = os.path.join(coupled.RUNS, "faults")
 
 
@@ -48,7 +48,8 @@ def _continue(checks, known, long):
             checks.true(f"a run on {ranks[0]} + {ranks[1]} ranks that nothing is done to", wanted[ranks], why)
         if not wanted[ranks]:
             continue
-        # what is saved beside the steps of checkpoint_steps sums in another order from there on
+        # a state saved beside the steps of checkpoint_steps makes lists and factors anew there: p differs within its
+        # tolerance from there on, and falling spheres that meet take that further
         most = SAVED_BESIDE if (t["target"], t["signal"]) in going_on.SAVES else 0.0
         what = " ".join(str(t[k]) for k in ("target", "signal", "number"))
         said.setdefault((t["target"], t["signal"]), []).append(known.outcome(

@@ -215,6 +215,7 @@ void atExit() {
   }
   if (s.mayFinalize) {
     s.ending = true;
+    World::instance().giveBack();
     PMPI_Finalize();
   }
 }

@@ -37,6 +37,8 @@ void hearOfErrors(MPI_Comm whole) {
   if (present != MPI_ERRORS_ARE_FATAL) return;
   PMPI_Comm_create_errhandler(onMpiError, &mine);
   PMPI_Comm_set_errhandler(whole, mine);
+  // the communicator keeps it
+  PMPI_Errhandler_free(&mine);
 }
 
 // The halves of all ranks. A program that is no half of a coupled run never
@@ -97,6 +99,10 @@ void World::split(Half mine) {
   }
   wrapped_ = true;
   setHalf(half, mine);
+}
+
+void World::giveBack() {
+  if (wrapped_ && half_ != MPI_COMM_WORLD && half_ != MPI_COMM_NULL) PMPI_Comm_free(&half_);
 }
 
 void World::adopt(MPI_Comm half, Half which) { setHalf(half, which); }

@@ -40,6 +40,9 @@ class World {
   /// wrappers of MPI_Init.
   void split(Half mine);
 
+  /// Frees what split() has made; on every rank of the half, ahead of MPI's end. Collective.
+  void giveBack();
+
   /// Takes a half that the host code has made by itself.
   /// The ranks of each half must keep the order they have in MPI_COMM_WORLD.
   void adopt(MPI_Comm half, Half which);

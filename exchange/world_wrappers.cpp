@@ -27,6 +27,7 @@ extern "C" int MPI_Init_thread(int* argc, char*** argv, int required, int* provi
 
 extern "C" int MPI_Finalize() {
   clay::beforeFinalize();
+  clay::World::instance().giveBack();
   return PMPI_Finalize();
 }
 

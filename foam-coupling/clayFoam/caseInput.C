@@ -138,7 +138,7 @@ static void sayUnreadTransport
 
     for (const entry& e : transport)
     {
-        const word key(e.keyword());
+        const word& key = e.keyword();
         if (known.found(key))
         {
             continue;
@@ -165,7 +165,7 @@ static void sayUnreadTransport
     }
     for (const entry& e : transport.subDict(coeffs))
     {
-        const word key(e.keyword());
+        const word& key = e.keyword();
         if (!own.found(key))
         {
             stats.warn
@@ -342,7 +342,7 @@ void Foam::sayUnread
     const word kind(flow.lookupOrDefault<word>("simulationType", "laminar"));
     for (const entry& e : flow)
     {
-        const word key(e.keyword());
+        const word& key = e.keyword();
         if (e.isDict() && key != "FoamFile" && key != kind)
         {
             stats.warn

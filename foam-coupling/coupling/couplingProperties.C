@@ -168,7 +168,7 @@ void Foam::couplingProperties::checkEntries() const
 
     for (const entry& e : *this)
     {
-        const word key(e.keyword());
+        const word& key = e.keyword();
         if (!known.found(key) && key != "FoamFile")
         {
             FatalIOErrorInFunction(*this)

@@ -68,7 +68,7 @@ static nlohmann::json toJson(const dictionary& dict)
     nlohmann::json j = nlohmann::json::object();
     for (const entry& e : dict)
     {
-        const std::string key(e.keyword());
+        const std::string& key = e.keyword();
         if (key == "FoamFile")
         {
             continue;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "exchange/test_shell.h"
+#include "exchange/wire.h"
 
 namespace {
 
@@ -111,11 +112,13 @@ TEST(DamagedOnItsWay, AMessageEndsBothHalvesWithALine) {
 
 // too long or too short, of the first and of a later exchange: its size is what is said of it
 TEST(DamagedOnItsWay, AnAnnouncementOfAnotherSizeIsNamed) {
-  for (const auto& [way, bytes] : {std::pair{"0 length -8", "88"}, {"3 length 4000", "4096"}}) {
-    const Outcome o =
-        run("resume", 2, 2, std::string("TEST_DAMAGE='DEM 7403 ") + way + "' CLAYFOAM_TIMEOUT=20");
-    const std::string reason =
-        std::string("the announcement of DEM rank 0: it holds ") + bytes + " bytes of 96";
+  const int whole = 8 * clay::wire::Header::doubles;
+  for (const auto& [number, more] : {std::pair{0, -8}, {3, 4000}}) {
+    const std::string damage =
+        "DEM 7403 " + std::to_string(number) + " length " + std::to_string(more);
+    const Outcome o = run("resume", 2, 2, "TEST_DAMAGE='" + damage + "' CLAYFOAM_TIMEOUT=20");
+    const std::string reason = "the announcement of DEM rank 0: it holds " +
+                               std::to_string(whole + more) + " bytes of " + std::to_string(whole);
     EXPECT_NE(o.code, 0) << o.text;
     EXPECT_TRUE(o.says("test_cfd_half: " + reason)) << o.text;
     EXPECT_TRUE(o.says("test_dem_half: stopped: the CFD half ended: " + reason)) << o.text;

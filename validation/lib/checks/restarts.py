@@ -15,7 +15,7 @@ FEATURES = {
     "added mass": ("restart-scene", 20, ("forces=pressureGradient+buoyancy+addedMass",)),
     "lubrication": ("restart-scene", 20, ("extra=films",)),
     "Brownian": ("restart-scene", 20, ("extra=thermal",)),
-    "gravity that changes": ("restart-scene", 20, ("extra=swing",)),
+    "gravity that changes": ("restart-scene", 20, ("extra=swing", "viscosity=0.5")),
     "charged clumps": ("clump-half", 10, ("clumps=4",)),
     "resistance drag": ("clump-half", 10, ("clumps=4", "clump_drag=resistance")),
     "inlet ramp": ("fluidised-bed", 20, ("settle=0.02", "hold=0.001", "ramp=0.004")),

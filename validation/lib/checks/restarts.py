@@ -19,6 +19,7 @@ FEATURES = {
     "charged clumps": ("clump-half", 10, ("clumps=4",)),
     "resistance drag": ("clump-half", 10, ("clumps=4", "clump_drag=resistance")),
     "inlet ramp": ("fluidised-bed", 20, ("settle=0.02", "hold=0.001", "ramp=0.004")),
+    "diffusion smoothing": ("restart-scene", 20, ("smoothing=diffusion",)),
     "turbulence": ("restart-turbulence", 20, ()),
     "bed at rest": ("restart-scene", 400, ("extra=rest", "layers=1", "speed=0")),
 }

@@ -33,28 +33,32 @@ struct Template : FixTemplateMultisphere {
 
 /* ---------------------------------------------------------------------- */
 
-void CoupledClumps::init(FixMultisphereClump *bodies)
+std::vector<std::string> CoupledClumps::init(FixMultisphereClump *bodies)
 {
   bodies_ = bodies;
+  std::vector<std::string> odd;
   for (int i = 0; i < modify->nfix; i++)
     if (FixTemplateMultisphere *t = dynamic_cast<FixTemplateMultisphere *>(modify->fix[i])) {
       if (t->type() >= static_cast<int>(drags_.size())) drags_.resize(t->type() + 1);
-      if (!drags_[t->type()]) add(t);
+      if (drags_[t->type()]) continue;
+      const std::string said = add(t);
+      if (!said.empty()) odd.push_back(said);
     }
   std::vector<const Matrix6d *> resistances;
   for (const auto &d : drags_) resistances.push_back(d ? &d->resistance() : nullptr);
   bodies_->set_resistances(resistances);
+  return odd;
 }
 
 /* ----------------------------------------------------------------------
-   one processor computes, all know
+   one processor computes, all know; a warning, or nothing
 ------------------------------------------------------------------------- */
 
-void CoupledClumps::add(FixTemplateMultisphere *t)
+std::string CoupledClumps::add(FixTemplateMultisphere *t)
 {
   const clay::Clump clump = Template::spheres(t);
   Matrix6d R;
-  std::string said;
+  std::string said, odd;
   int bad = 0;
   if (comm->me == 0) {
     try {
@@ -62,6 +66,7 @@ void CoupledClumps::add(FixTemplateMultisphere *t)
       const clay::StokesResistance found = clay::keptResistance(clump, clay::cacheFolder(), from);
       R = found.R;
       said = found.report() + "; " + from;
+      odd = found.warning();
     } catch (const std::exception &e) {
       said = e.what();
       bad = 1;
@@ -73,7 +78,7 @@ void CoupledClumps::add(FixTemplateMultisphere *t)
                (std::string("Fix couple/foam: clumpDrag resistance of template ") + t->id + ": " + said).c_str());
   MPI_Bcast(R.data(), 36, MPI_DOUBLE, 0, world);
   drags_[t->type()].reset(new clay::ClumpDrag(clump, R, law_));
-  if (comm->me) return;
+  if (comm->me) return "";
 
   const clay::ClumpDrag &drag = *drags_[t->type()];
   double sum = 0;
@@ -88,6 +93,7 @@ void CoupledClumps::add(FixTemplateMultisphere *t)
               "  %.5g %.5g %.5g of the drag of the sphere of like volume, %.6g m wide\n",
               t->id, said.c_str(), R(0, 0) / sum, R(1, 1) / sum, R(2, 2) / sum, R(0, 0) / sphere, R(1, 1) / sphere,
               R(2, 2) / sphere, drag.diameter());
+  return odd.empty() ? odd : std::string("Fix couple/foam: clumpDrag resistance of template ") + t->id + ": " + odd;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -5,6 +5,7 @@
 #define LMP_COUPLED_CLUMPS_H
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "clumps/body_resistance.h"
@@ -23,7 +24,8 @@ class CoupledClumps : protected Pointers {
   CoupledClumps(class LAMMPS *lmp, clay::ShapeLaw law) : Pointers(lmp), law_(law) {}
 
   /// Finds the resistance of every template that is new and hands it to the bodies.
-  void init(FixMultisphereClump *bodies);
+  /// What is to be warned of, on the first processor.
+  std::vector<std::string> init(FixMultisphereClump *bodies);
 
   /// Viscosity [Pa s] and density [kg/m3] of the fluid.
   void fluid(double viscosity, double density)
@@ -42,7 +44,7 @@ class CoupledClumps : protected Pointers {
 
  private:
   const clay::ClumpDrag &drag(int ibody) const;
-  void add(FixTemplateMultisphere *t);
+  std::string add(FixTemplateMultisphere *t);
 
   clay::ShapeLaw law_;
   FixMultisphereClump *bodies_ = nullptr;

@@ -167,7 +167,8 @@ void FixCoupleFoam::init()
         [this] { show(update->ntimestep); });
   if (clumps_ && !bodies_)
     error->all(FLERR, "Fix couple/foam: clumpDrag resistance: there are no clumps; 'fix multisphere/clump' makes them");
-  if (clumps_) clumps_->init(bodies_);
+  if (clumps_)
+    for (const std::string &odd : clumps_->init(bodies_)) report_->warn(odd);
   const FixBrownian *thermal = dynamic_cast<FixBrownian *>(modify->find_fix_style("brownian", 0));
   random_.reset(thermal ? new Thermal(thermal) : NULL);
 

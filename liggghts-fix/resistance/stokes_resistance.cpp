@@ -271,6 +271,23 @@ std::string StokesResistance::report() const
   return s + (converged ? "" : ": not converged");
 }
 
+std::string StokesResistance::warning() const
+{
+  if (converged || levels.empty()) return "";
+  char text[220];
+  if (levels.size() == 1)
+    std::snprintf(text, sizeof text,
+                  "its Stokes resistance has not converged: only %d blobs fit into the solve, and how far "
+                  "off they are is not known; use fewer spheres, or clumpDrag sphereSum",
+                  levels.back().blobs);
+  else
+    std::snprintf(text, sizeof text,
+                  "its Stokes resistance has not converged: with the last level, %d blobs, it still changed by "
+                  "%.2g %% (tolerance %.2g %%); the drag is uncertain by about that, fewer spheres need fewer blobs",
+                  levels.back().blobs, 100 * levels.back().change, 100 * StokesOptions().tolerance);
+  return text;
+}
+
 Matrix6d rotated(const Matrix6d& R, const Matrix3d& Q) { return transformed(R, Q); }
 
 Matrix6d movedTo(const Matrix6d& R, const Vector3d& shift) { return shifted(R, shift); }

@@ -36,6 +36,8 @@ struct StokesResistance {
 
   /// One line: levels, blobs and changes.
   std::string report() const;
+  /// Says that the refinement ended before its tolerance, and how far off it was; empty otherwise.
+  std::string warning() const;
 };
 
 /// Resistance of the clump about a point, in the axes its spheres are given in.

@@ -257,4 +257,11 @@ TEST(StokesResistance, SaysWhatIsWrong)
   const auto capped = stokesResistance(hexagon(), Vector3d::Zero(), {1e-9, 900});
   EXPECT_FALSE(capped.converged);
   EXPECT_NE(capped.report().find("not converged"), std::string::npos);
+  char change[20];
+  std::snprintf(change, sizeof change, "%.2g %%", 100 * capped.levels.back().change);
+  EXPECT_NE(capped.warning().find(std::string("it still changed by ") + change), std::string::npos) << capped.warning();
+  const auto lone = stokesResistance(hexagon(), Vector3d::Zero(), {1e-9, 300});
+  EXPECT_EQ(lone.levels.size(), 1u);
+  EXPECT_NE(lone.warning().find("only "), std::string::npos) << lone.warning();
+  EXPECT_EQ(stokesResistance({{Vector3d::Zero(), 1}}, Vector3d::Zero()).warning(), "");
 }

@@ -82,6 +82,7 @@ macro(clayfoam_model_tests)
       coupling/momentumLedgerMeasuresTest
       coupling/voidFractionHistoryTest
       coupling/particleForcesTest
+      coupling/cellWavesTest
       coupling/particleTurnoverTest
       coupling/meshPeriodTest
       coupling/viscosityLawTest

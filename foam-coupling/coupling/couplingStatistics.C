@@ -127,11 +127,15 @@ void Foam::couplingStatistics::write
     j["reynolds_max"] = most(reynoldsMax);
     j["max_momentum_residual"] = momentumResidual;
     j["max_void_fraction_volume_error"] = voidFractionError;
+    j["sphere_weight_sum_min"] = -most(-weightSumMin);
+    j["sphere_weight_sum_max"] = most(weightSumMax);
     j["clipped_volume_max"] = clippedVolume;
     j["drag_change_mean"] = dragSum > VSMALL ? dragChange/dragSum : 0;
     j["uncarried_force_max"] = uncarried;
     j["cells_crossed_max"] = crossing;
     j["interval_over_relaxation_max"] = relaxations;
+    j["cell_wave_correlation"] = waveCorrelation;
+    j["cell_wave_amplitude"] = waveAmplitude;
     j["warnings"] = warnings;
     j["settings"] = toJson(settings);
 

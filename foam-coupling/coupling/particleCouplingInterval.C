@@ -157,6 +157,20 @@ void Foam::particleCoupling::judgeInterval(const scalar interval)
     stats_.dragSum += sum;
     stats_.crossing = max(stats_.crossing, crossing*interval);
     stats_.relaxations = max(stats_.relaxations, relaxations*interval);
+
+    if (waves_.look(p, U_, interval, crossing*interval))
+    {
+        stats_.warn
+        (
+            "the solid fraction goes up and down from cell to cell: a wave"
+            " that the mesh makes, and speeds of settling with it; take"
+            " smoothingModel diffusion with a bandwidth of one and a half to"
+            " two cells. How much is in cfd.json: cell_wave_correlation, -1"
+            " for a pure wave, and cell_wave_amplitude, over the mean"
+        );
+    }
+    stats_.waveCorrelation = waves_.correlation();
+    stats_.waveAmplitude = waves_.amplitude();
 }
 
 

@@ -115,6 +115,12 @@ def summary(folder):
         return json.load(f)
 
 
+def cfd(folder):
+    """What the CFD half has measured."""
+    with open(os.path.join(folder, "CFD", "cfd.json"), encoding="utf-8") as f:
+        return json.load(f)
+
+
 def settling(folder):
     """The columns of settling.csv, as lists of numbers by name."""
     return columns(os.path.join(folder, "settling.csv"))

@@ -1,0 +1,65 @@
+# This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+"""One column on four meshes: the settling curve must not hang on the mesh."""
+
+import os
+
+import numpy as np
+
+from validation.lib.checks import coupled, plots
+
+TITLE = "settling curves of one column on four meshes, charged clumps and spheres"
+LONG = True
+
+END = 0.5
+# cells across the core, rings, layers; the mean size of a cell [mm], height of one [mm]
+MESHES = {"coarser": (4, 2, 9), "shipped": (4, 2, 12), "fine": (6, 3, 32), "finer": (8, 4, 62)}
+COLUMNS = {"clump-half": 12e-3, "sphere-half": 4e-3}  # twice the bodies' width [m]
+CURVES = {"mean_height_m": ("mean height", 0.005), "interface_m": ("interface", 0.01)}
+
+
+def curves(case, mesh, tag, *settings):
+    core, ring, layers = MESHES[mesh]
+    words = [w for s in (f"core_cells={core}", f"ring_cells={ring}", f"layers={layers}", *settings)
+             for w in ("--set", s)]
+    folder = coupled.finished(case, f"mesh-independence/{case}-{mesh}-{tag}", "--no-pictures", "--end", str(END),
+                              *words, limit=1800)
+    return coupled.settling(folder)
+
+
+def apart(mine, other, curve):
+    """Root mean square distance of two curves over what has sunk."""
+    t, y = np.array(mine["time_s"]), np.array(mine[curve])
+    off = y - np.interp(t, other["time_s"], other[curve])
+    return float(np.sqrt(np.mean(off**2)) / (y[0] - y.min()))
+
+
+def run(checks):
+    lines = []
+    for case, width in COLUMNS.items():
+        found = {mesh: curves(case, mesh, "auto") for mesh in MESHES}
+        best = found["finer"]
+        # what a run moves by when it is disturbed by next to nothing
+        again = curves(case, "finer", "again", "gravity=9.81000001")
+        for curve, (name, gate) in CURVES.items():
+            scatter = apart(best, again, curve)
+            checks.note(f"{case}, {name}: a gravity that differs by 1e-9 moves the curve by {100 * scatter:.2f} %")
+            for mesh in MESHES:
+                if mesh != "finer":
+                    checks.at_most(f"{case}, {name}: {mesh} mesh from the finer one, rms over what has sunk",
+                                   apart(best, found[mesh], curve), max(gate, 2 * scatter))
+        for factor in (0.5, 2):
+            other = curves(case, "shipped", f"b-{factor:g}", f"bandwidth={factor * width:g}")
+            for curve, (name, _) in CURVES.items():
+                checks.note(f"{case}, {name}: a bandwidth {factor:g} times as wide moves the curve by "
+                            f"{100 * apart(found['shipped'], other, curve):.2f} %, shipped mesh")
+            if case == "clump-half":
+                lines.append((f"{case}, {factor:g} b", other["time_s"], np.array(other["interface_m"]) * 1e3, "dots"))
+        bare = {mesh: curves(case, mesh, "none", "smoothing=none") for mesh in ("shipped", "finer")}
+        for curve, (name, gate) in CURVES.items():
+            checks.note(f"{case}, {name}: without smoothing the shipped mesh is "
+                        f"{100 * apart(bare['finer'], bare['shipped'], curve):.2f} % from the finer one")
+        for mesh, one in found.items():
+            lines.append((f"{case}, {mesh}", one["time_s"], np.array(one["interface_m"]) * 1e3, "line"))
+    checks.picture(plots.compare(
+        os.path.join(coupled.RUNS, "mesh-independence", "mesh-independence.png"), lines, "t [s]", "interface [mm]",
+        "one column on four meshes"))

@@ -156,6 +156,7 @@ Foam::particleCoupling::particleCoupling
         zeroGradientFvPatchScalarField::typeName
     ),
     gravity_(Zero),
+    waves_(mesh_),
     lastImpulse_(Zero),
     solidVolume_(0),
     time_(mesh_.time().value() - properties_.timeOffset()),
@@ -194,6 +195,14 @@ Foam::particleCoupling::particleCoupling
                 " that a coupled run has saved"
             );
         }
+    }
+
+    if (smoothing_->fits() && properties_.get<word>("selfDisturbance") != "none")
+    {
+        FatalIOErrorInFunction(properties_)
+            << "selfDisturbance " << properties_.get<word>("selfDisturbance")
+            << " must know the kernel from the start: diffusionCoeffs:"
+            << " bandwidth is auto, give it in m" << exit(FatalIOError);
     }
 
     resume();
@@ -304,6 +313,10 @@ void Foam::particleCoupling::writeStatistics(const dictionary& solverSettings)
     settings.add("rho", rho_);
     settings.add("meshCells", returnReduce(mesh_.nCells(), sumOp<label>()));
     settings.add("ranks", Pstream::nProcs());
+    if (smoothing_->active())
+    {
+        settings.add("kernelBandwidth", smoothing_->bandwidth());
+    }
 
     const clay::DemTerms& dem = session_->remoteTerms();
     settings.add("couplingInterval", dem.step*dem.interval, true);

@@ -85,6 +85,34 @@ void Foam::particleCoupling::take()
 }
 
 
+void Foam::particleCoupling::fitKernel()
+{
+    // all ranks alike: by the settings, and what was found for all of them
+    if (!smoothing_->fits() || smoothing_->bandwidth() > 0)
+    {
+        return;
+    }
+    const dispersedParticles& p = particles_;
+    scalar volume = 0, widths = 0;
+    forAll(p.owned, i)
+    {
+        if (p.owned[i])
+        {
+            volume += p.volume[i];
+            widths += p.volume[i]*2*p.radius[i];
+        }
+    }
+    reduce(volume, sumOp<scalar>());
+    reduce(widths, sumOp<scalar>());
+    // all ranks alike: the sum over them
+    if (volume > 0)
+    {
+        const scalar bodies = session_->remoteTerms().bodyWidth;
+        smoothing_->fit(bodies > 0 ? bodies : widths/volume);
+    }
+}
+
+
 void Foam::particleCoupling::map()
 {
     dispersedParticles& p = particles_;
@@ -112,6 +140,8 @@ void Foam::particleCoupling::map()
         }
     }
 
+    fitKernel();
+
     volScalarField& n = history_.mapped();
     mapping_->map
     (
@@ -133,6 +163,8 @@ void Foam::particleCoupling::map()
             volume += p.volume[i];
             outside += p.outside[i] > 1e-6*p.radius[i];
             larger += p.volume[i] > mesh_.V()[p.cell[i]];
+            stats_.weightSumMin = min(stats_.weightSumMin, p.divisor[i]);
+            stats_.weightSumMax = max(stats_.weightSumMax, p.divisor[i]);
         }
     }
     reduce(volume, sumOp<scalar>());

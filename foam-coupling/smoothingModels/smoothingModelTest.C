@@ -209,14 +209,46 @@ TEST(smoothing, none)
 }
 
 
+// twice the bodies' width, or 1.5 times the thickness of cells of 1 x 1 x 0.2
+TEST(smoothing, bandwidthOfBodiesAndCells)
+{
+    const test::meshCase c(test::block({3, 3, 5}, Zero, {3, 3, 1}));
+    for (const char* text :
+        {
+            "smoothingModel diffusion;",
+            "smoothingModel diffusion; diffusionCoeffs { bandwidth auto; }"
+        })
+    {
+        auto m = smoothingModel::New(test::settings(text), c.mesh());
+        ASSERT_TRUE(m->fits());
+        // before it is known nothing is smoothed
+        scalarField psi(c.mesh().nCells(), 0.0);
+        psi[4] = 7;
+        m->smooth(psi);
+        EXPECT_EQ(psi[4], 7);
+        m->fit(0.4);
+        EXPECT_NEAR(m->bandwidth(), 0.8, 1e-12);
+        EXPECT_NEAR(m->spread(), 0.16, 1e-12);
+        m->smooth(psi);
+        EXPECT_LT(psi[4], 3);
+        m->fit(0.1);
+        EXPECT_NEAR(m->bandwidth(), 0.3, 1e-12);
+        // to four digits
+        m->fit(0.33335001);
+        EXPECT_NEAR(m->bandwidth(), 0.6667, 1e-12);
+    }
+    EXPECT_FALSE(diffusion(c.mesh(), 0.5)->fits());
+}
+
+
 TEST(smoothing, refusals)
 {
     const test::meshCase c(test::block({3, 3, 3}, Zero, {1, 1, 1}));
     for (const char* text :
         {
             "smoothingModel median;",
-            "smoothingModel diffusion;",
             "smoothingModel diffusion; diffusionCoeffs { bandwidth -1; }",
+            "smoothingModel diffusion; diffusionCoeffs { bandwidth wide; }",
             "smoothingModel diffusion;"
             " diffusionCoeffs { bandwidth 1; steps 6; }"
         })

@@ -9,6 +9,8 @@
 
 #include "domain.h"
 #include "error.h"
+#include "fix_template_multisphere.h"
+#include "modify.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -229,6 +231,27 @@ bool FixMultisphereClump::take_motion(int ibody, double *displacement, double *c
   }
   fluid.seen = 1.0;
   return known;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixMultisphereClump::mean_width()
+{
+  double sum[2] = {0., 0.}, all[2];
+  for (int b = 0; b < multisphere_.n_body(); b++) {
+    sum[0] += multisphere_.volume(b);
+    sum[1] += multisphere_.volume(b) * 2. * multisphere_.r_bound(b);
+  }
+  MPI_Allreduce(sum, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  if (all[0] > 0.) return all[1] / all[0];
+
+  sum[0] = sum[1] = 0.;
+  for (int i = 0; i < modify->nfix; i++)
+    if (FixTemplateMultisphere *t = dynamic_cast<FixTemplateMultisphere *>(modify->fix[i])) {
+      sum[0] += 1.;
+      sum[1] += 2. * t->max_r_bound();
+    }
+  return sum[0] > 0. ? sum[1] / sum[0] : 0.;
 }
 
 /* ---------------------------------------------------------------------- */

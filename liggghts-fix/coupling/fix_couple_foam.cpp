@@ -260,7 +260,10 @@ clay::DemTerms FixCoupleFoam::terms()
               Field::impulse,  Field::mass,   Field::spin,   Field::meanVelocity, Field::otherForce, Field::touched};
   if (clumps_) t.brings = {Field::dragDiameter, Field::dragFactor};
   if (gravity_.differs(igroup)) t.brings.add(Field::gravity);
-  if (bodies_) t.clumpDrag = clay::name(settings_.clumpDrag);
+  if (bodies_) {
+    t.clumpDrag = clay::name(settings_.clumpDrag);
+    t.bodyWidth = bodies_->mean_width();
+  }
   t.needs = {Field::dragCoefficient, Field::fluidVelocity};
   if (readers_.any) t.needs.add(Field::voidFraction);
   if (saver_) t.pairs = saver_->folder();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "clumps/fix_multisphere_clump.h"
 #include "fix_property_atom.h"
@@ -129,6 +130,37 @@ TEST(FixMultisphereClump, keepsWhatActsOnABody)
   plain(tumble("multisphere/clump", "f f f", "") + "run 1\nrun 40\n");
   compare(plain, hosts[1], &velocity, &place);
   EXPECT_GT(velocity, 1e-5);
+}
+
+// of clumps like these, the largest distance of two spheres' far sides
+TEST(FixMultisphereClump, meanWidthOfItsBodies)
+{
+  Host host;
+  host(tumble("multisphere/clump", "f f f", "") + "run 1\n");
+  const auto all = host.atoms();
+  std::map<int, double> widths;
+  for (const auto &a : all)
+    for (const auto &b : all)
+      if (a.body == b.body) {
+        const double d = std::hypot(a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]);
+        widths[a.body] = std::max(widths[a.body], d + a.radius + b.radius);
+      }
+  double mean = 0;
+  for (const auto &w : widths) mean += w.second / widths.size();
+  ASSERT_GE(widths.size(), 20u);
+  EXPECT_GT(mean, 5e-3);
+  auto *bodies = dynamic_cast<LAMMPS_NS::FixMultisphereClump *>(host.multisphere());
+  ASSERT_TRUE(bodies);
+  EXPECT_NEAR(bodies->mean_width() / mean, 1, 1e-6);
+
+  // that of the templates, before there is any body
+  Host empty;
+  std::string script = tumble("multisphere/clump", "f f f", "");
+  script.erase(script.find("fix ins all"), script.find('\n', script.find("fix ins all")) - script.find("fix ins all"));
+  empty(script + "run 0\n");
+  bodies = dynamic_cast<LAMMPS_NS::FixMultisphereClump *>(empty.multisphere());
+  ASSERT_TRUE(bodies);
+  EXPECT_NEAR(bodies->mean_width() / mean, 1, 1e-6);
 }
 
 TEST(FixMultisphereClump, takesInsertedBodiesUp)

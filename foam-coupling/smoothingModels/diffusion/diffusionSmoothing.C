@@ -71,6 +71,18 @@ Foam::List<Foam::scalar> Foam::smoothingModels::chebyshevOfExp
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
+bool Foam::smoothingModels::diffusion::isAuto(const dictionary& coeffs)
+{
+    const entry* given = coeffs.findEntry("bandwidth");
+    if (!given)
+    {
+        return true;
+    }
+    ITstream& is = given->stream();
+    return is.size() == 1 && is[0].isWord() && is[0].wordToken() == "auto";
+}
+
+
 void Foam::smoothingModels::diffusion::prepare() const
 {
     const labelUList& own = mesh_.faceOwner();
@@ -216,7 +228,8 @@ Foam::smoothingModels::diffusion::diffusion
 )
 :
     smoothingModel(dict, mesh, typeName, {"bandwidth"}),
-    bandwidth_(coeffs_.lookupOrDefault<scalar>("bandwidth", -1)),
+    auto_(isAuto(coeffs_)),
+    bandwidth_(auto_ ? 0 : coeffs_.get<scalar>("bandwidth")),
     prepared_(false),
     coupled_(false),
     bound_(0),
@@ -251,17 +264,46 @@ Foam::smoothingModels::diffusion::diffusion
         zeroGradientFvPatchVectorField::typeName
     )
 {
-    if (!coeffs_.found("bandwidth"))
+    if (!auto_)
     {
-        FatalIOErrorInFunction(dict)
-            << "diffusionCoeffs: bandwidth [m] must be given"
-            << exit(FatalIOError);
+        numberAbove
+        (
+            dict, "diffusionCoeffs: bandwidth", bandwidth_, 0, " m, or auto"
+        );
     }
-    numberAbove(dict, "diffusionCoeffs: bandwidth", bandwidth_, 0, " m");
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::smoothingModels::diffusion::fit(const scalar width)
+{
+    scalarField thickness(mesh_.nCells());
+    forAll(thickness, celli)
+    {
+        scalar largest = 0;
+        for (const label facei : mesh_.cells()[celli])
+        {
+            largest = max(largest, mag(mesh_.faceAreas()[facei]));
+        }
+        thickness[celli] = mesh_.V()[celli]/largest;
+    }
+    const scalar cells = gSum(thickness*mesh_.V())/gSum(mesh_.V());
+
+    // to four digits: the same whatever ranks have summed in which order
+    const auto rounded = [](const scalar x)
+    {
+        const scalar unit = std::pow(10.0, std::floor(std::log10(x)) - 3);
+        return unit*std::round(x/unit);
+    };
+    bandwidth_ = rounded(max(2*width, 1.5*cells));
+    prepared_ = false;
+    Info<< "clayFoam: smoothing: bandwidth " << bandwidth_
+        << " m, the larger of twice the bodies' width, " << rounded(width)
+        << " m, and one and a half times the cells' thickness, "
+        << rounded(cells) << " m" << endl;
+}
+
 
 void Foam::smoothingModels::diffusion::smooth(scalarField& cells) const
 {

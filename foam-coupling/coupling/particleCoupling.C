@@ -197,7 +197,11 @@ Foam::particleCoupling::particleCoupling
         }
     }
 
-    if (smoothing_->fits() && properties_.get<word>("selfDisturbance") != "none")
+    if
+    (
+        smoothing_->fits()
+     && properties_.get<word>("selfDisturbance") != "none"
+    )
     {
         FatalIOErrorInFunction(properties_)
             << "selfDisturbance " << properties_.get<word>("selfDisturbance")

@@ -11,6 +11,7 @@ TITLE = "settling curves of one column on four meshes, charged clumps and sphere
 LONG = True
 
 END = 0.5
+KERNEL = "smoothing=diffusion"
 # cells across the core, rings, layers; the mean size of a cell [mm], height of one [mm]
 MESHES = {"coarser": (4, 2, 9), "shipped": (4, 2, 12), "fine": (6, 3, 32), "finer": (8, 4, 62)}
 COLUMNS = {"clump-half": 12e-3, "sphere-half": 4e-3}  # twice the bodies' width [m]
@@ -36,10 +37,10 @@ def apart(mine, other, curve):
 def run(checks):
     lines = []
     for case, width in COLUMNS.items():
-        found = {mesh: curves(case, mesh, "auto") for mesh in MESHES}
+        found = {mesh: curves(case, mesh, "auto", KERNEL) for mesh in MESHES}
         best = found["finer"]
         # what a run moves by when it is disturbed by next to nothing
-        again = curves(case, "finer", "again", "gravity=9.81000001")
+        again = curves(case, "finer", "again", KERNEL, "gravity=9.81000001")
         for curve, (name, gate) in CURVES.items():
             scatter = apart(best, again, curve)
             checks.note(f"{case}, {name}: a gravity that differs by 1e-9 moves the curve by {100 * scatter:.2f} %")
@@ -48,13 +49,13 @@ def run(checks):
                     checks.at_most(f"{case}, {name}: {mesh} mesh from the finer one, rms over what has sunk",
                                    apart(best, found[mesh], curve), max(gate, 2 * scatter))
         for factor in (0.5, 2):
-            other = curves(case, "shipped", f"b-{factor:g}", f"bandwidth={factor * width:g}")
+            other = curves(case, "shipped", f"b-{factor:g}", KERNEL, f"bandwidth={factor * width:g}")
             for curve, (name, _) in CURVES.items():
                 checks.note(f"{case}, {name}: a bandwidth {factor:g} times as wide moves the curve by "
                             f"{100 * apart(found['shipped'], other, curve):.2f} %, shipped mesh")
             if case == "clump-half":
                 lines.append((f"{case}, {factor:g} b", other["time_s"], np.array(other["interface_m"]) * 1e3, "dots"))
-        bare = {mesh: curves(case, mesh, "none", "smoothing=none") for mesh in ("shipped", "finer")}
+        bare = {mesh: curves(case, mesh, "none") for mesh in ("shipped", "finer")}
         for curve, (name, gate) in CURVES.items():
             checks.note(f"{case}, {name}: without smoothing the shipped mesh is "
                         f"{100 * apart(bare['finer'], bare['shipped'], curve):.2f} % from the finer one")

@@ -99,6 +99,7 @@ void Foam::cellWaves::judge()
             sums[3] += w*0.5*(fraction[own] + fraction[nei]);
         }
     }
+    // all ranks alike: four of them
     for (scalar& part : sums)
     {
         reduce(part, sumOp<scalar>());

@@ -164,8 +164,8 @@ void Foam::particleCoupling::judgeInterval(const scalar interval)
         (
             "the solid fraction goes up and down from cell to cell: a wave"
             " that the mesh makes, and speeds of settling with it; take"
-            " smoothingModel diffusion with a bandwidth of one and a half to"
-            " two cells. How much is in cfd.json: cell_wave_correlation, -1"
+            " smoothingModel diffusion with a bandwidth of two cells or auto."
+            " How much is in cfd.json: cell_wave_correlation, -1"
             " for a pure wave, and cell_wave_amplitude, over the mean"
         );
     }

@@ -296,11 +296,11 @@ void Foam::smoothingModels::diffusion::fit(const scalar width)
         const scalar unit = std::pow(10.0, std::floor(std::log10(x)) - 3);
         return unit*std::round(x/unit);
     };
-    bandwidth_ = rounded(max(2*width, 1.5*cells));
+    bandwidth_ = rounded(2*max(width, cells));
     prepared_ = false;
     Info<< "clayFoam: smoothing: bandwidth " << bandwidth_
-        << " m, the larger of twice the bodies' width, " << rounded(width)
-        << " m, and one and a half times the cells' thickness, "
+        << " m, twice the larger of the bodies' width, " << rounded(width)
+        << " m, and the cells' thickness, "
         << rounded(cells) << " m" << endl;
 }
 

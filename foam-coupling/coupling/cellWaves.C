@@ -37,7 +37,7 @@ void Foam::cellWaves::add
             const vector v(moved[celli]/solid[celli]);
             fraction_[celli] += unseen_*solid[celli]/V[celli];
             slip_[celli] += unseen_*(v - U[celli]);
-            way_[celli] += unseen_*mag(v)/cbrt(V[celli]);
+            way_[celli] += unseen_*mag(v)/thickness_[celli];
         }
     }
     time_ += unseen_;
@@ -51,10 +51,8 @@ void Foam::cellWaves::judge()
     // all ranks alike: made at the end of the first window
     if (!wide_)
     {
-        const scalar cell = cbrt(gSum(mesh_.V())/returnReduce
-        (
-            mesh_.nCells(), sumOp<label>()
-        ));
+        const scalar cell =
+            gSum(thickness_*mesh_.V())/gSum(mesh_.V());
         dictionary coeffs;
         coeffs.add("bandwidth", 3*cell);
         dictionary dict;
@@ -68,7 +66,7 @@ void Foam::cellWaves::judge()
     forAll(fraction_, celli)
     {
         const scalar mean = fraction_[celli]/time_;
-        if (way_[celli] >= 2 && mean >= 0.05)
+        if (way_[celli] >= 1 && mean >= 0.05)
         {
             counts[celli] = 1;
             fraction[celli] = mean;
@@ -131,6 +129,8 @@ void Foam::cellWaves::judge()
 Foam::cellWaves::cellWaves(const fvMesh& mesh)
 :
     mesh_(mesh),
+    thickness_(smoothingModel::thickness(mesh)),
+    slender_(gMax(cbrt(mesh.V())/thickness_)),
     time_(0),
     crossed_(0),
     pace_(0),
@@ -152,8 +152,8 @@ bool Foam::cellWaves::look
 )
 {
     unseen_ += interval;
-    pace_ += crossing;
-    crossed_ += crossing;
+    pace_ += crossing*slender_;
+    crossed_ += crossing*slender_;
 
     // a state stands for a quarter of a cell
     if (pace_ < 0.25)
@@ -162,7 +162,7 @@ bool Foam::cellWaves::look
     }
     add(p, U);
     // all ranks alike: by the fastest particle of all
-    if (crossed_ < 10)
+    if (crossed_ < 4)
     {
         return false;
     }

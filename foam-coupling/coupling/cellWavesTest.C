@@ -57,7 +57,7 @@ public:
     (
         const std::function<scalar(const point&, label)>& fraction,
         const vector& velocity,
-        const label states = 20
+        const label states = 8
     )
     {
         label found = 0;
@@ -171,7 +171,7 @@ TEST(cellWaves, whatMovesWithTheParticlesIsNone)
                 return wave(x + point(0, 0, 0.5*k), 2);
             },
             down,
-            40
+            16
         ),
         0
     );
@@ -203,9 +203,9 @@ TEST(cellWaves, othersDoNotCount)
 TEST(cellWaves, eachWindowIsJudgedByItself)
 {
     column c;
-    EXPECT_EQ(c.run([](const point&, label) { return 0.3; }, down, 20), 0);
+    EXPECT_EQ(c.run([](const point&, label) { return 0.3; }, down, 8), 0);
     EXPECT_EQ
     (
-        c.run([](const point& x, label) { return wave(x, 2); }, down, 40), 2
+        c.run([](const point& x, label) { return wave(x, 2); }, down, 16), 2
     );
 }

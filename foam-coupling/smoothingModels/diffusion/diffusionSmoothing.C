@@ -278,17 +278,8 @@ Foam::smoothingModels::diffusion::diffusion
 
 void Foam::smoothingModels::diffusion::fit(const scalar width)
 {
-    scalarField thickness(mesh_.nCells());
-    forAll(thickness, celli)
-    {
-        scalar largest = 0;
-        for (const label facei : mesh_.cells()[celli])
-        {
-            largest = max(largest, mag(mesh_.faceAreas()[facei]));
-        }
-        thickness[celli] = mesh_.V()[celli]/largest;
-    }
-    const scalar cells = gSum(thickness*mesh_.V())/gSum(mesh_.V());
+    const scalar cells =
+        gSum(thickness(mesh_)*mesh_.V())/gSum(mesh_.V());
 
     // to four digits: the same whatever ranks have summed in which order
     const auto rounded = [](const scalar x)

@@ -53,6 +53,25 @@ Foam::autoPtr<Foam::smoothingModel> Foam::smoothingModel::New
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::tmp<Foam::scalarField> Foam::smoothingModel::thickness
+(
+    const fvMesh& mesh
+)
+{
+    auto result = tmp<scalarField>::New(mesh.nCells());
+    forAll(mesh.cells(), celli)
+    {
+        scalar largest = 0;
+        for (const label facei : mesh.cells()[celli])
+        {
+            largest = max(largest, mag(mesh.faceAreas()[facei]));
+        }
+        result.ref()[celli] = mesh.V()[celli]/largest;
+    }
+    return result;
+}
+
+
 void Foam::smoothingModel::smooth(volScalarField& field) const
 {
     // all ranks alike: the model

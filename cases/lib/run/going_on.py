@@ -10,7 +10,7 @@ import shutil
 
 from cases.lib.case import files, openfoam
 from cases.lib.case.errors import CaseError
-from cases.lib.run import folders, pairs, prepare, series
+from cases.lib.run import folders, prepare, saved_pairs as pairs, series
 
 # the last entry of a name counts
 _FROM = "\nstartFrom latestTime;\n"

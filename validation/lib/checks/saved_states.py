@@ -7,7 +7,7 @@ import struct
 
 import numpy as np
 
-from cases.lib.run import pairs
+from cases.lib.run import saved_pairs as pairs
 from validation.lib.checks.verdicts import Broken
 
 _INTERNAL = re.compile(rb"internalField\s+nonuniform\s+List<(scalar|vector)>\s+(\d+)\s*\(")

@@ -8,7 +8,7 @@ import sys
 import time
 
 from cases.lib.case.casefile import TOP
-from validation.lib.faults import going_on, inputs, kills, tries, victim
+from validation.lib.faults import inputs, kills, resumed, tries, victim
 
 
 def test_the_same_inputs_every_time():
@@ -34,19 +34,19 @@ def test_exit_codes():
 
 
 def test_runs_that_go_on_are_drawn_and_compared(tmp_path):
-    plan = going_on.plan(20)
-    assert plan == going_on.plan(20) and len(plan) == 20 * len(going_on.TRIALS)
+    plan = resumed.plan(20)
+    assert plan == resumed.plan(20) and len(plan) == 20 * len(resumed.TRIALS)
     assert {t["ranks"] for t in plan} == {(1, 1), (2, 1)}
-    assert going_on.SAVES < set(going_on.TRIALS)
+    assert resumed.SAVES < set(resumed.TRIALS)
     for name, text in (("a", "time_s,time_days,z\n0,9,-4\n1,9,2\n"), ("b", "time_s,time_days,z\n0,8,-4\n1,8,2.4\n"),
                        ("c", "time_s,time_days,z\n0,9,-4\n")):
         (tmp_path / name).mkdir()
         (tmp_path / name / "settling.csv").write_text(text)
-    a, b, c = (going_on.curve(str(tmp_path / name)) for name in "abc")
+    a, b, c = (resumed.curve(str(tmp_path / name)) for name in "abc")
     assert a == [[0, -4], [1, 2]]
-    assert going_on.apart(a, a) == 0
-    assert abs(going_on.apart(a, b) - 0.1) < 1e-15
-    assert going_on.apart(a, c) == going_on.apart([], []) == float("inf")
+    assert resumed.apart(a, a) == 0
+    assert abs(resumed.apart(a, b) - 0.1) < 1e-15
+    assert resumed.apart(a, c) == resumed.apart([], []) == float("inf")
 
 
 class Ended:

@@ -12,7 +12,7 @@ import tempfile
 from cases.lib.case import cache
 from cases.lib.case.casefile import TOP
 from validation.lib.checks import coupled
-from validation.lib.faults import going_on, inputs, kills, tries, victim
+from validation.lib.faults import inputs, kills, resumed, tries, victim
 
 TITLE = "faults: kills, full disks, two runs at once, damaged caches, odd inputs"
 PARTS = ("kills", "continue", "stops", "twice", "caches", "disk", "inputs", "moved", "messages")  # of --part
@@ -36,7 +36,7 @@ def _kills(checks, known, long):
 
 def _continue(checks, known, long):
     """A run that is ended goes on by --continue, and ends with the curve of one that was not."""
-    trials = going_on.plan(20 if long else 1)
+    trials = resumed.plan(20 if long else 1)
     if not long:
         short = (("CFD half", "KILL"), ("mpirun", "KILL"), ("DEM half", "TERM"), ("cases/run", "INT"))
         trials = [t for t in trials if (t["target"], t["signal"]) in short]
@@ -44,17 +44,17 @@ def _continue(checks, known, long):
     for t in trials:
         ranks = t["ranks"]
         if ranks not in wanted:
-            wanted[ranks], why = going_on.whole(os.path.join(_PLACE, "whole"), t)
+            wanted[ranks], why = resumed.whole(os.path.join(_PLACE, "whole"), t)
             checks.true(f"a run on {ranks[0]} + {ranks[1]} ranks that nothing is done to", wanted[ranks], why)
         if not wanted[ranks]:
             continue
         # a state saved beside the steps of checkpoint_steps makes lists and factors anew there: p differs within its
         # tolerance from there on, and falling spheres that meet take that further
-        most = SAVED_BESIDE if (t["target"], t["signal"]) in going_on.SAVES else 0.0
+        most = SAVED_BESIDE if (t["target"], t["signal"]) in resumed.SAVES else 0.0
         what = " ".join(str(t[k]) for k in ("target", "signal", "number"))
         said.setdefault((t["target"], t["signal"]), []).append(known.outcome(
             f"continue {what}", lambda t=t, ranks=ranks, most=most:
-            going_on.attempt(t, os.path.join(_PLACE, "continue"), wanted[ranks], most)))
+            resumed.attempt(t, os.path.join(_PLACE, "continue"), wanted[ranks], most)))
     for (target, name), found in said.items():
         bad = [s for s in found if s]
         checks.true(f"SIG{name} to {target}, then --continue: {len(found)} with the curve of a run that was not ended",

@@ -5,7 +5,7 @@ import json
 import os
 import re
 
-from cases.lib.run import pairs
+from cases.lib.run import saved_pairs as pairs
 from validation.lib.checks import coupled, restarts
 
 TITLE = "a run goes on from its saved state as if it had not stopped"

@@ -7,7 +7,7 @@ import zlib
 import pytest
 
 from cases.lib.case.errors import CaseError
-from cases.lib.run import going_on, pairs, series
+from cases.lib.run import going_on, saved_pairs as pairs, series
 
 
 def part(folder, number, step, **files):

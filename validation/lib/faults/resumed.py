@@ -7,7 +7,7 @@ import random
 import signal
 import time
 
-from cases.lib.run import pairs
+from cases.lib.run import saved_pairs as pairs
 from validation.lib.faults.kills import wanted_code
 from validation.lib.faults.victim import Run
 

@@ -24,8 +24,9 @@ _SILENCE = 60.0  # [s] more, after which a test that cannot be ended ends all
 def _pytest(number, shared, take):
     """One of several that share the tests, to its end; take(line) is given what it tells."""
     ours, theirs = os.pipe()
+    # with =: a word that is a folder's name would be taken for one of tests, and move the root
     words = [sys.executable, "-E", "-s", "-B", TOP, "pytest", "-q", "-p", "validation.lib.checks.pytest_rows",
-             "--rows-to", str(theirs), "--limit", str(LIMIT), "--share", shared]
+             "--rows-to", str(theirs), "--limit", str(LIMIT), f"--rootdir={TOP}", f"--share={shared}"]
     with open(_log(number), "w", encoding="utf-8") as f:
         process = subprocess.Popen(words, cwd=TOP, stdin=subprocess.DEVNULL, stdout=f, stderr=subprocess.STDOUT,
                                    start_new_session=True, pass_fds=(theirs,))

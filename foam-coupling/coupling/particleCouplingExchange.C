@@ -173,6 +173,16 @@ bool Foam::particleCoupling::next()
             map();
             exchangeMomentum();
         }
+        // all ranks alike: any() is that of all of them
+        if (session_->pair().number > 0 && turnover_.any())
+        {
+            stats_.warn
+            (
+                "particles came or went in an interval at whose end a state"
+                " was saved: a run that goes on from it takes their volume for"
+                " one that moved"
+            );
+        }
         ++stats_.exchanges;
         pending_ = true;
 

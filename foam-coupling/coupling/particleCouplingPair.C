@@ -105,7 +105,6 @@ void Foam::particleCoupling::save(stateWriter& to)
 
     // what a restart finds for itself
     kept_.forget();
-    turnover_.forget();
 }
 
 

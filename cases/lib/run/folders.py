@@ -151,7 +151,10 @@ def offer(place, case, called=None):
     saved = os.path.isdir(pairs) and any(map(str.isdigit, os.listdir(pairs)))
     if mark is None or mark["case"] != case.name or not saved:
         return ""
-    if {**mark["values"], "end": end} != case.values or (summary(place).get("simulated_s") or 0) >= end:
+    there = summary(place)
+    reached = there.get("simulated_s") or 0
+    # one that was ended as it came to its end is not complete, and its last state lies before
+    if {**mark["values"], "end": end} != case.values or reached > end or reached == end and there.get("complete"):
         return ""
     further = "" if mark["values"].get("end") == end else f" --end {end:.12g}"
     return f"cases/run {case.name} --out {shlex.quote(called or place)} --continue{further}"

@@ -70,6 +70,18 @@ def test_a_run_in_out_is_refused(tmp_path, case, complete, what):
     assert sorted(os.listdir(place)) == [".lock", "case.json", "case.txt"]
 
 
+def test_one_that_was_ended_at_its_very_end_goes_on(top, case):
+    place, lock = folders.claim(case, None, tell=lambda _: None)
+    case.values["end"] = 0.117
+    folders.write_mark(place, case, (1, 1))
+    lock.close()
+    os.makedirs(os.path.join(place, "checkpoints", "000000500"))
+    results(place, True)
+    assert folders.offer(place, case) == "", "there is nothing left of it"
+    results(place, False)
+    assert folders.offer(place, case) == f"cases/run {case.name} --out {place} --continue"
+
+
 def test_a_shorter_run_is_offered_to_go_on(top, case):
     """Where it has a saved state, and nothing but the end differs."""
     place, lock = folders.claim(case, None, tell=lambda _: None)

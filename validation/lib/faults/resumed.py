@@ -55,21 +55,24 @@ def ranks(trial):
 
 
 def whole(folder, trial):
-    """The curve of a run on these ranks that nothing is done to; None and what it said when it did not end well."""
+    """The curve of a run on these ranks that nothing is done to, and for how long it marches [s]; None and what it
+    said when it did not end well."""
     with Run(CASE, folder, "--overwrite", *WORDS, *ranks(trial)) as run:
-        code, _ = run.end()
-        return (curve(folder), "") if code == 0 else (None, run.said().strip()[-200:])
+        run.until(run.marches)
+        code, lasts = run.end()
+        return (curve(folder), lasts) if code == 0 else (None, run.said().strip()[-200:])
 
 
-def attempt(trial, folder, wanted, most):
-    """Ends one and goes on; what was wrong, "" for nothing. most: how far from the wanted curve."""
+def attempt(trial, folder, wanted, most, lasts):
+    """Ends one amid its march, which lasts so long [s], and goes on; what was wrong, "" for nothing. most: how far from
+    the wanted curve."""
     number = getattr(signal, "SIG" + trial["signal"])
     top = os.path.join(folder, pairs.FOLDER)
     with Run(CASE, folder, "--overwrite", *WORDS, *ranks(trial)) as run:
         # not the folder of a run that was here before
         if not run.until(lambda: run.marches() and os.path.isdir(top) and any(map(str.isdigit, os.listdir(top)))):
             return f"did not come to its first saved state: {run.said().strip()[-200:]}"
-        time.sleep(trial["moment"])
+        time.sleep(0.6 * trial["moment"] * lasts)
         run.look()
         if not run.send(trial["target"], number):
             return f"nobody to send it to: {run.said().strip()[-200:]}"

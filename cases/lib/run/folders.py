@@ -153,8 +153,11 @@ def offer(place, case, called=None):
         return ""
     there = summary(place)
     reached = there.get("simulated_s") or 0
-    # one that was ended as it came to its end is not complete, and its last state lies before
-    if {**mark["values"], "end": end} != case.values or reached > end or reached == end and there.get("complete"):
+    if {**mark["values"], "end": end} != case.values:
+        return ""
+    # one that was ended as it came to its end is not complete, and its last state lies before. Times are sums of steps
+    beyond = reached - end
+    if beyond > 0.5 * case.values["dem_step"] + 1e-9 * end or beyond > -1e-9 * end and there.get("complete"):
         return ""
     further = "" if mark["values"].get("end") == end else f" --end {end:.12g}"
     return f"cases/run {case.name} --out {shlex.quote(called or place)} --continue{further}"

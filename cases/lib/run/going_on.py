@@ -10,7 +10,7 @@ import shutil
 
 from cases.lib.case import files, openfoam
 from cases.lib.case.errors import CaseError
-from cases.lib.run import folders, prepare, saved_pairs as pairs, series
+from cases.lib.run import folders, prepare, saved_pairs as pairs, series, state
 
 # the last entry of a name counts
 _FROM = "\nstartFrom latestTime;\n"
@@ -19,11 +19,7 @@ _PARAMETER = re.compile(r'^variable (\w+) string "(.*)"$', re.M)
 
 def set_up(folder, case, derived, tell=print):
     """Makes the folder ready to go on, for the steps and ranks of `derived`. Gives the pair that it goes on from."""
-    pair = pairs.latest(folder, tell)
-    end = case.values["end"]
-    if pair.step >= derived["steps"]:
-        raise CaseError(f"{folder}: its last saved state is that of {pair.time:.6g} s, the run's end {end:.6g} s: "
-                        "there is nothing to go on with; a later --end does")
+    pair = chosen(folder, derived["steps"], case.values["end"], tell)
     if pair.step % case.values["coupling_steps"]:
         raise CaseError(f"{pair.folder} is of a run with another coupling_steps")
     _keep_outputs(folder, derived)
@@ -31,6 +27,18 @@ def set_up(folder, case, derived, tell=print):
     cut(folder, pair, case.values["dem_step"])
     _fluid(cfd, pair, {**case.values, **derived})
     folders.write_mark(folder, case, (derived["dem_ranks"], derived["cfd_ranks"]))
+    return pair
+
+
+def chosen(folder, steps, end, tell=print):
+    """The pair from which a run goes on to its end, of so many steps and at that time [s]."""
+    pair = pairs.latest(folder, tell)
+    if pair.step == steps and not state.complete(folder):
+        tell(f"cases/run: passed over, the run was ended after it had saved its end: {pair.folder}")
+        pair = pairs.latest(folder, tell, before=pair.step)
+    if pair.step >= steps:
+        raise CaseError(f"{folder}: its last saved state is that of {pair.time:.6g} s, the run's end {end:.6g} s: "
+                        "there is nothing to go on with; a later --end does")
     return pair
 
 

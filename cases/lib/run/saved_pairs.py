@@ -86,11 +86,12 @@ def read(folder):
     return Pair(folder, *found, float(said["time"]), tuple(parts))
 
 
-def latest(run_folder, tell=print):
-    """The last complete pair of a run; what is passed over is told. CaseError
-    where there is none."""
+def latest(run_folder, tell=print, before=None):
+    """The last complete pair of a run, of a step before that one; what is passed
+    over is told. CaseError where there is none."""
     top = os.path.join(run_folder, FOLDER)
-    steps = [d for d in os.listdir(top) if d.isdigit()] if os.path.isdir(top) else []
+    steps = [d for d in os.listdir(top) if d.isdigit() and (before is None or int(d) < before)] \
+        if os.path.isdir(top) else []
     for name in sorted(steps, key=int, reverse=True):
         try:
             return read(os.path.join(top, name))

@@ -31,14 +31,14 @@ def take(case, *args, **more):
     return place
 
 
-def results(place, complete):
+def results(place, complete, simulated=0.117):
     """What a run leaves behind."""
     os.makedirs(os.path.join(place, "DEM"), exist_ok=True)
     for name in ("settling.csv", "DEM/log", "a.png"):
         with open(os.path.join(place, name), "w", encoding="utf-8") as f:
             f.write("time_s\n0\n0.117\n")
     with open(os.path.join(place, "summary.json"), "w", encoding="utf-8") as f:
-        json.dump({"complete": complete, "simulated_s": 0.117, "end": 0.5}, f)
+        json.dump({"complete": complete, "simulated_s": simulated, "end": 0.5}, f)
 
 
 @pytest.mark.parametrize("complete", [True, False])
@@ -70,16 +70,20 @@ def test_a_run_in_out_is_refused(tmp_path, case, complete, what):
     assert sorted(os.listdir(place)) == [".lock", "case.json", "case.txt"]
 
 
-def test_one_that_was_ended_at_its_very_end_goes_on(top, case):
+# a time is a sum of steps
+@pytest.mark.parametrize("reached", [0.117, 0.117 - 2e-17, 0.117 + 2e-17, 0.11700000000000017])
+def test_one_that_was_ended_at_its_very_end_goes_on(top, case, reached):
     place, lock = folders.claim(case, None, tell=lambda _: None)
     case.values["end"] = 0.117
     folders.write_mark(place, case, (1, 1))
     lock.close()
     os.makedirs(os.path.join(place, "checkpoints", "000000500"))
-    results(place, True)
+    results(place, True, reached)
     assert folders.offer(place, case) == "", "there is nothing left of it"
-    results(place, False)
+    results(place, False, reached)
     assert folders.offer(place, case) == f"cases/run {case.name} --out {place} --continue"
+    results(place, False, reached + case.values["dem_step"])
+    assert folders.offer(place, case) == "", "it is beyond that end"
 
 
 def test_a_shorter_run_is_offered_to_go_on(top, case):

@@ -1,6 +1,7 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """Pairs of saved states: the last whole one is taken, what is damaged is named."""
 
+import json
 import os
 import zlib
 
@@ -39,6 +40,22 @@ def test_the_last_whole_one_is_taken(tmp_path):
     found = pairs.latest(str(tmp_path), said.append)
     assert (found.step, found.time, found.number, len(found.cfd)) == (1000, 1.0, 77, 2)
     assert len(said) == 1 and "000002000/dem/state is not what was written" in said[0]
+
+
+def test_a_run_that_was_ended_after_it_had_saved_its_end_goes_on_from_the_one_before(tmp_path):
+    for step in (1000, 2000):
+        pair(tmp_path, step)
+    summary = tmp_path / "summary.json"
+    for complete, steps, wanted in ((False, 2000, 1000), (False, 3000, 2000), (True, 3000, 2000)):
+        summary.write_text(json.dumps({"complete": complete}))
+        said = []
+        assert going_on.chosen(str(tmp_path), steps, steps * 1e-3, said.append).step == wanted
+        assert len(said) == (wanted == 1000) and all("after it had saved its end" in s for s in said)
+    # there is nothing left of a complete one, and nobody asked to go back
+    for complete, steps in ((True, 2000), (False, 1500)):
+        summary.write_text(json.dumps({"complete": complete}))
+        with pytest.raises(CaseError, match="is that of 2 s, the run's end .* there is nothing to go on with"):
+            going_on.chosen(str(tmp_path), steps, steps * 1e-3, print)
 
 
 @pytest.mark.parametrize("harm, words", [

@@ -5,7 +5,6 @@ import csv
 import os
 import random
 import signal
-import time
 
 from cases.lib.run import saved_pairs as pairs
 from validation.lib.faults.kills import wanted_code
@@ -15,6 +14,7 @@ from validation.lib.faults.victim import Run
 CASE = "sphere-half"
 # a saved state every 0.02 s: nobody tells the run of the kill that it would be well to save one
 WORDS = ("--end", "0.5", "--set", "seed=977", "--set", "spheres=40", "--set", "checkpoint_steps=1000")
+STEPS = 25000
 INTERVAL = 1e-3  # [s] of the coupling
 TRIALS = (("DEM half", "KILL"), ("CFD half", "KILL"), ("mpirun", "KILL"), ("cases/run", "KILL"), ("DEM half", "SEGV"),
           ("CFD half", "SEGV"), ("DEM half", "TERM"), ("DEM half", "INT"), ("DEM half", "USR1"), ("cases/run", "TERM"),
@@ -22,6 +22,8 @@ TRIALS = (("DEM half", "KILL"), ("CFD half", "KILL"), ("mpirun", "KILL"), ("case
 # to these the DEM half saves its state at the next exchange
 SAVES = {("DEM half", "TERM"), ("DEM half", "INT"), ("DEM half", "USR1"), ("cases/run", "TERM"), ("cases/run", "INT"),
          ("cases/run", "USR1"), ("mpirun", "USR1")}
+# and here the halves, left alone, are told to end
+BESIDE = SAVES | {("cases/run", "KILL")}
 
 
 def plan(tries, seed=1):
@@ -55,25 +57,26 @@ def ranks(trial):
 
 
 def whole(folder, trial):
-    """The curve of a run on these ranks that nothing is done to, and for how long it marches [s]; None and what it
-    said when it did not end well."""
+    """The curve of a run on these ranks that nothing is done to; None and what it said when it did not end well."""
     with Run(CASE, folder, "--overwrite", *WORDS, *ranks(trial)) as run:
-        run.until(run.marches)
-        code, lasts = run.end()
-        return (curve(folder), lasts) if code == 0 else (None, run.said().strip()[-200:])
+        code, _ = run.end()
+        return (curve(folder), "") if code == 0 else (None, run.said().strip()[-200:])
 
 
-def attempt(trial, folder, wanted, most, lasts):
-    """Ends one amid its march, which lasts so long [s], and goes on; what was wrong, "" for nothing. most: how far from
-    the wanted curve."""
-    number = getattr(signal, "SIG" + trial["signal"])
+def saved(folder):
+    """The step of the last saved state in a run's folder, 0 without one."""
     top = os.path.join(folder, pairs.FOLDER)
+    return max((int(d) for d in os.listdir(top) if d.isdigit()), default=0) if os.path.isdir(top) else 0
+
+
+def attempt(trial, folder, wanted, most):
+    """Ends one amid its march and goes on; what was wrong, "" for nothing. most: how far from the wanted curve."""
+    number = getattr(signal, "SIG" + trial["signal"])
     with Run(CASE, folder, "--overwrite", *WORDS, *ranks(trial)) as run:
-        # not the folder of a run that was here before
-        if not run.until(lambda: run.marches() and os.path.isdir(top) and any(map(str.isdigit, os.listdir(top)))):
-            return f"did not come to its first saved state: {run.said().strip()[-200:]}"
-        time.sleep(0.6 * trial["moment"] * lasts)
-        run.look()
+        # by what it has saved, since wall time is short and not the same twice; marches(): not the folder of a run
+        # that was here before
+        if not run.until(lambda: run.marches() and saved(folder) > 0.7 * trial["moment"] * STEPS):
+            return f"did not come to the saved state it waits for: {run.said().strip()[-200:]}"
         if not run.send(trial["target"], number):
             return f"nobody to send it to: {run.said().strip()[-200:]}"
         code, _ = run.end()
@@ -83,7 +86,8 @@ def attempt(trial, folder, wanted, most, lasts):
         if run.state().get("complete") and code > 0:
             return "was complete before the signal came"
         said = run.said()
-    last = pairs.latest(folder, lambda _: None)
+    # the halves of a cases/run that was killed may have come to their end
+    last = pairs.latest(folder, lambda _: None, before=STEPS)
     if (trial["target"], trial["signal"]) in SAVES and not last.time >= run.state().get("simulated_s", 0) - INTERVAL:
         return f"{last.folder} is the last state, the run said: {said.strip()[-200:]}"
     if "--continue" not in said and code > 0:

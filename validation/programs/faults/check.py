@@ -44,19 +44,17 @@ def _continue(checks, known, long):
     for t in trials:
         ranks = t["ranks"]
         if ranks not in wanted:
-            wanted[ranks] = resumed.whole(os.path.join(_PLACE, "whole"), t)
-            checks.true(f"a run on {ranks[0]} + {ranks[1]} ranks that nothing is done to", wanted[ranks][0],
-                        wanted[ranks][1])
-        curve, lasts = wanted[ranks]
-        if not curve:
+            wanted[ranks], why = resumed.whole(os.path.join(_PLACE, "whole"), t)
+            checks.true(f"a run on {ranks[0]} + {ranks[1]} ranks that nothing is done to", wanted[ranks], why)
+        if not wanted[ranks]:
             continue
         # a state saved beside the steps of checkpoint_steps makes lists and factors anew there: p differs within its
         # tolerance from there on, and falling spheres that meet take that further
-        most = SAVED_BESIDE if (t["target"], t["signal"]) in resumed.SAVES else 0.0
+        most = SAVED_BESIDE if (t["target"], t["signal"]) in resumed.BESIDE else 0.0
         what = " ".join(str(t[k]) for k in ("target", "signal", "number"))
         said.setdefault((t["target"], t["signal"]), []).append(known.outcome(
-            f"continue {what}", lambda t=t, curve=curve, most=most, lasts=lasts:
-            resumed.attempt(t, os.path.join(_PLACE, "continue"), curve, most, lasts)))
+            f"continue {what}", lambda t=t, ranks=ranks, most=most:
+            resumed.attempt(t, os.path.join(_PLACE, "continue"), wanted[ranks], most)))
     for (target, name), found in said.items():
         bad = [s for s in found if s]
         checks.true(f"SIG{name} to {target}, then --continue: {len(found)} with the curve of a run that was not ended",

@@ -1,6 +1,6 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a kernel once, for callgrind to count its instructions
-// (validation/cost/instructions): kernel_counts contact|coulomb|coulomb_single|packing
+// (validation/cost/instructions): kernel_counts contact|contact_hertz|coulomb|coulomb_single|packing
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -10,8 +10,8 @@
 int main(int argc, char **argv)
 {
   const std::string which = argc == 2 ? argv[1] : "";
-  if (which == "contact") {
-    clay::ContactScene scene(12);
+  if (which == "contact" || which == "contact_hertz") {
+    clay::ContactScene scene(12, which == "contact" ? clay::NormalForce::linear : clay::NormalForce::hertz);
     scene.step();
     std::printf("pairs %d\n", scene.pairs.size());
     return std::isfinite(scene.f[0]) ? 0 : 1;
@@ -30,6 +30,6 @@ int main(int argc, char **argv)
     std::printf("doubles %zu\n", scene.message.size());
     return scene.message.size() == 2000 * 8 + 2 ? 0 : 1;
   }
-  std::fprintf(stderr, "kernel_counts: choose contact, coulomb, coulomb_single or packing\n");
+  std::fprintf(stderr, "kernel_counts: choose contact, contact_hertz, coulomb, coulomb_single or packing\n");
   return 1;
 }

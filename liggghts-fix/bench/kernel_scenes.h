@@ -12,16 +12,20 @@
 
 namespace clay {
 
-/// Spheres on a lattice a little closer than they are wide: every pair touches.
+/// Spheres on a lattice a little closer than they are wide: every pair touches. Linear springs
+/// with friction, or Hertz's.
 struct ContactScene {
   std::vector<double> x, v, omega, f, torque;
   ContactPairs pairs;
 
-  explicit ContactScene(int side)
+  explicit ContactScene(int side, NormalForce normal = NormalForce::linear)
   {
+    pairs.kind.normal = normal;
     const double r = 1e-3;
     const double shear[3] = {1e-8, 2e-8, -1e-8};
-    const ContactLaw law = {750, 750, 0.01, 0.01, 0.5};
+    ContactLaw law = {750, 750, 0.01, 0.01, 0.5};
+    if (normal == NormalForce::hertz) law = hertzLaw(0.5 * r, 5e-6, 3e6, 7e5, -0.3);
+    law.friction = 0.5;
     const auto at = [side](int i, int j, int k) { return (i * side + j) * side + k; };
     for (int i = 0; i < side; i++)
       for (int j = 0; j < side; j++)
@@ -44,7 +48,7 @@ struct ContactScene {
   {
     const ContactSpheres s = {x.data(), v.data(),      omega.data(),
                               f.data(), torque.data(), static_cast<int>(x.size() / 3)};
-    contactForces(s, pairs, 1e-5, true, false);
+    contactForces(s, pairs, 1e-5, true);
   }
 };
 

@@ -2,15 +2,15 @@
 //
 // The loop runs over blocks of pairs. What depends on the two spheres is put
 // side by side first; then all of the arithmetic is done on several pairs at
-// once, with masks in place of branches; then the forces are handed out.
+// once (contact_act.cpp); then the forces are handed out.
 #include "contacts/contact_kernel.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "contacts/contact_block.h"
 #include "simd/clones.h"
-#include "simd/inv_sqrt.h"
 
 namespace clay {
 
@@ -20,10 +20,17 @@ void ContactPairs::resize(int n)
 {
   i.resize(n);
   j.resize(n);
-  for (auto *v : {&ri, &rj, &kn, &kt, &gamman, &gammat, &friction, &softness, &sx, &sy, &sz, &touched}) v->resize(n);
+  for (auto *v : {&ri, &rj, &kn, &kt, &gamman, &gammat, &friction, &softness, &touched}) v->resize(n);
+  if (kind.shears())
+    for (auto *v : {&sx, &sy, &sz}) v->resize(n);
+  if (kind.rolling != RollingTorque::none)
+    for (auto *v : {&reach, &rolling}) v->resize(n);
+  if (kind.rolling == RollingTorque::sprung)
+    for (auto *v : {&qx, &qy, &qz}) v->resize(n);
+  if (kind.cohesion) cohesion.resize(n);
 }
 
-void ContactPairs::add(int a, int b, double ra, double rb, const ContactLaw &law, const double *shear, bool t)
+void ContactPairs::add(int a, int b, double ra, double rb, const ContactLaw &law, const double *history, bool t)
 {
   i.push_back(a);
   j.push_back(b);
@@ -35,10 +42,24 @@ void ContactPairs::add(int a, int b, double ra, double rb, const ContactLaw &law
   gammat.push_back(law.gammat);
   friction.push_back(law.friction);
   softness.push_back(1 / law.kt);
-  sx.push_back(shear[0]);
-  sy.push_back(shear[1]);
-  sz.push_back(shear[2]);
   touched.push_back(t ? 1 : 0);
+  if (kind.shears())
+    for (auto *v : {&sx, &sy, &sz}) v->push_back(*history++);
+  if (kind.rolling != RollingTorque::none) {
+    reach.push_back(law.radius);
+    rolling.push_back(law.rolling);
+  }
+  if (kind.rolling == RollingTorque::sprung)
+    for (auto *v : {&qx, &qy, &qz}) v->push_back(*history++);
+  if (kind.cohesion) cohesion.push_back(law.cohesion);
+}
+
+void ContactPairs::tell(int k, double *history) const
+{
+  if (kind.shears())
+    for (auto *v : {&sx, &sy, &sz}) *history++ = (*v)[k];
+  if (kind.rolling == RollingTorque::sprung)
+    for (auto *v : {&qx, &qy, &qz}) *history++ = (*v)[k];
 }
 
 ContactLaw hookeLaw(double radius, double mass, double modulus, double speed, double restitution_log)
@@ -47,6 +68,17 @@ ContactLaw hookeLaw(double radius, double mass, double modulus, double speed, do
   ContactLaw law;
   law.kn = law.kt = 16.0 / 15.0 * hard * std::pow(15.0 * mass * speed * speed / (16.0 * hard), 0.2);
   law.gamman = law.gammat = std::sqrt(4.0 * mass * law.kn * e2 / (e2 + M_PI * M_PI));
+  return law;
+}
+
+ContactLaw hertzLaw(double radius, double mass, double modulus, double shear_modulus, double beta)
+{
+  const double root = std::sqrt(radius), damp = -2.0 * std::sqrt(5.0 / 6.0) * beta;
+  ContactLaw law;
+  law.kn = 4.0 / 3.0 * modulus * root;
+  law.kt = 8.0 * shear_modulus * root;
+  law.gamman = damp * std::sqrt(2.0 * modulus * root * mass);
+  law.gammat = damp * std::sqrt(law.kt * mass);
   return law;
 }
 
@@ -59,22 +91,12 @@ double WallShape::gap(const double *x) const
 
 namespace {
 
-constexpr int BLOCK = 64;
+constexpr int BLOCK = CONTACT_BLOCK;
+typedef ContactBlock Block;
+typedef ContactSlice Slice;
 
-// of i against j: distance and velocity; the spin of both; then the force on
-// i and the torques on both
-struct Block {
-  double x[3][BLOCK], v[3][BLOCK], wi[3][BLOCK], wj[3][BLOCK];
-  double f[3][BLOCK], ti[3][BLOCK], tj[3][BLOCK];
-  double s[3][BLOCK], touched[BLOCK];  // at walls
-};
-
-// the arrays of one block of pairs
-struct Slice {
-  const int *i, *j;
-  const double *ri, *rj, *kn, *kt, *gamman, *gammat, *friction, *softness;
-  double *sx, *sy, *sz, *touched;
-};
+// where there is no cohesion
+const double nothing[BLOCK] = {};
 
 // two numbers at once, which every processor of this kind can do
 using Two = double __attribute__((vector_size(16)));
@@ -104,7 +126,7 @@ CLAY_INLINE void put(double (&to)[3][BLOCK], int k, Three a, Three b)
   put(&to[2][k], Two{a.z, b.z});
 }
 
-CLAY_INLINE void gather(Block &b, const ContactSpheres &s, const Slice &p, int n)
+CLAY_CLONES void gather(Block &b, const ContactSpheres &s, const Slice &p, int n)
 {
   for (int k = 0; k < n; k += 2) {
     const int l = std::min(k + 1, n - 1);  // an odd one out fills the next place as well
@@ -118,8 +140,7 @@ CLAY_INLINE void gather(Block &b, const ContactSpheres &s, const Slice &p, int n
 }
 
 // of i against the point of the wall that is nearest to it
-CLAY_INLINE void gather(Block &b, const ContactSpheres &s, const Slice &p, const WallShape &wall, const double *history,
-                        int n)
+CLAY_CLONES void gatherAtWall(Block &b, const ContactSpheres &s, const Slice &p, const WallShape &wall, int n)
 {
   const Three none = {Two{0, 0}, 0};
   for (int k = 0; k < n; k += 2) {
@@ -129,8 +150,6 @@ CLAY_INLINE void gather(Block &b, const ContactSpheres &s, const Slice &p, const
     put(b.v, k, three(s.v + i), three(s.v + j));
     put(b.wi, k, three(s.omega + i), three(s.omega + j));
     put(b.wj, k, none, none);
-    put(b.s, k, three(history + i), three(history + j));
-    put(&b.touched[k], Two{0, 0});
   }
   double *x = b.x[wall.axis], *y = b.x[(wall.axis + 1) % 3], *z = b.x[(wall.axis + 2) % 3];
   if (!wall.cylinder) {
@@ -151,74 +170,13 @@ CLAY_INLINE void gather(Block &b, const ContactSpheres &s, const Slice &p, const
   }
 }
 
-CLAY_INLINE void act(Block &b, const Slice &s, double dt, double fresh, double least, int n)
-{
-#pragma omp simd simdlen(8)
-  for (int k = 0; k < n; ++k) {
-    const double dx = b.x[0][k], dy = b.x[1][k], dz = b.x[2][k];
-    const double r2 = dx * dx + dy * dy + dz * dz, reach = s.ri[k] + s.rj[k];
-    const double rinv = invSqrt(r2), r = r2 * rinv, delta = reach - r;
-    const bool touch = r2 < reach * reach;
-    const double nx = dx * rinv, ny = dy * rinv, nz = dz * rinv;
-
-    // velocity at the contact, normal and tangential
-    const double vx = b.v[0][k], vy = b.v[1][k], vz = b.v[2][k];
-    const double vn = vx * nx + vy * ny + vz * nz, half = 0.5 * delta;
-    const double ci = s.ri[k] - half, cj = s.rj[k] - half;
-    const double wx = ci * b.wi[0][k] + cj * b.wj[0][k];
-    const double wy = ci * b.wi[1][k] + cj * b.wj[1][k];
-    const double wz = ci * b.wi[2][k] + cj * b.wj[2][k];
-    const double tx = vx - vn * nx - (nz * wy - ny * wz);
-    const double ty = vy - vn * ny - (nx * wz - nz * wx);
-    const double tz = vz - vn * nz - (ny * wx - nx * wy);
-
-    const double pull = s.kn[k] * delta - s.gamman[k] * vn;
-    const double fn = pull > least ? pull : least;
-
-    // tangential displacement
-    const double ox = s.sx[k], oy = s.sy[k], oz = s.sz[k];
-    const double gx = ox + tx * dt, gy = oy + ty * dt, gz = oz + tz * dt;
-    const double out = fresh * (gx * nx + gy * ny + gz * nz);
-    const double hx = gx - out * nx, hy = gy - out * ny, hz = gz - out * nz;
-    const double h2 = hx * hx + hy * hy + hz * hz;
-    const double hinv = invSqrt(h2 > 1e-200 ? h2 : 1e-200);
-    const double spring = s.kt[k] * (h2 * hinv), limit = s.friction[k] * std::fabs(fn);
-    const bool slide = spring > limit;
-    const double part = limit * hinv * s.softness[k];
-    const double share = slide ? part : 1.0, damp = slide ? 0.0 : s.gammat[k];
-    const double ax = share * hx, ay = share * hy, az = share * hz;
-    const double ux = -s.kt[k] * ax - damp * tx;
-    const double uy = -s.kt[k] * ay - damp * ty;
-    const double uz = -s.kt[k] * az - damp * tz;
-
-    const bool keep = !touch || fresh == 0.0;
-    s.sx[k] = keep ? ox : ax;
-    s.sy[k] = keep ? oy : ay;
-    s.sz[k] = keep ? oz : az;
-    s.touched[k] = touch ? 1.0 : s.touched[k];
-
-    const double qx = ny * uz - nz * uy, qy = nz * ux - nx * uz, qz = nx * uy - ny * ux;
-    const double fx = fn * nx + ux, fy = fn * ny + uy, fz = fn * nz + uz;
-    b.f[0][k] = touch ? fx : 0.0;
-    b.f[1][k] = touch ? fy : 0.0;
-    b.f[2][k] = touch ? fz : 0.0;
-    const double mi = touch ? -ci : 0.0, mj = touch ? -cj : 0.0;
-    b.ti[0][k] = mi * qx;
-    b.ti[1][k] = mi * qy;
-    b.ti[2][k] = mi * qz;
-    b.tj[0][k] = mj * qx;
-    b.tj[1][k] = mj * qy;
-    b.tj[2][k] = mj * qz;
-  }
-}
-
 CLAY_INLINE void add(double *to, const double (&from)[3][BLOCK], int k, double sign)
 {
   put(to, two(to) + sign * Two{from[0][k], from[1][k]});
   to[2] += sign * from[2][k];
 }
 
-CLAY_INLINE void scatter(const Block &b, const ContactSpheres &s, const Slice &p, int n)
+CLAY_CLONES void scatter(const Block &b, const ContactSpheres &s, const Slice &p, int n)
 {
   for (int k = 0; k < n; ++k) {
     const std::size_t i = 3 * static_cast<std::size_t>(p.i[k]), j = 3 * static_cast<std::size_t>(p.j[k]);
@@ -231,49 +189,42 @@ CLAY_INLINE void scatter(const Block &b, const ContactSpheres &s, const Slice &p
 }
 
 // returns how many touch
-CLAY_INLINE int scatter(const Block &b, const ContactSpheres &s, const Slice &p, double *history, int n)
+int scatterAtWall(const Block &b, const ContactSpheres &s, const Slice &p, double *history, int width, int n)
 {
   double touching = 0;
   for (int k = 0; k < n; ++k) {
     const std::size_t i = 3 * static_cast<std::size_t>(p.i[k]);
     add(s.f + i, b.f, k, 1);
     add(s.torque + i, b.ti, k, 1);
-    put(history + i, b.touched[k] * Two{b.s[0][k], b.s[1][k]});
-    history[i + 2] = b.touched[k] * b.s[2][k];
+    double *row = history + static_cast<std::size_t>(width) * p.i[k];
+    for (int d = 0; d < width; ++d) row[d] = b.touched[k] * b.s[d][k];
     touching += b.touched[k];
   }
   return static_cast<int>(touching);
 }
 
-CLAY_CLONES int everyBlockAtWall(const ContactSpheres &spheres, ContactPairs &p, const WallShape &wall, double *history,
-                                 double dt, double fresh, double least)
+Slice slice(ContactPairs &p, int k)
 {
-  alignas(64) Block b;
-  const int size = p.size();
-  int touching = 0;
-  for (int k = 0; k < size; k += BLOCK) {
-    const int n = std::min(BLOCK, size - k);
-    const Slice s = {&p.i[k],      &p.j[k],        &p.ri[k],       &p.rj[k], &p.kn[k], &p.kt[k], &p.gamman[k],
-                     &p.gammat[k], &p.friction[k], &p.softness[k], b.s[0],   b.s[1],   b.s[2],   b.touched};
-    gather(b, spheres, s, wall, history, n);
-    act(b, s, dt, fresh, least, n);
-    touching += scatter(b, spheres, s, history, n);
-  }
-  return touching;
+  const auto from = [k](std::vector<double> &v) { return v.empty() ? nullptr : &v[k]; };
+  Slice s = {&p.i[k],       &p.j[k],         &p.ri[k],         &p.rj[k],       &p.kn[k],
+             &p.kt[k],      &p.gamman[k],    &p.gammat[k],     &p.friction[k], &p.softness[k],
+             from(p.reach), from(p.rolling), from(p.cohesion), from(p.sx),     from(p.sy),
+             from(p.sz),    from(p.qx),      from(p.qy),       from(p.qz),     &p.touched[k]};
+  if (!s.cohesion) s.cohesion = nothing;
+  return s;
 }
 
-CLAY_CLONES void everyBlock(const ContactSpheres &spheres, ContactPairs &p, double dt, double fresh, double least)
+ContactStep stepOf(const ContactKind &kind, double dt, bool update, bool wall)
 {
-  alignas(64) Block b;
-  const int size = p.size();
-  for (int k = 0; k < size; k += BLOCK) {
-    const int n = std::min(BLOCK, size - k);
-    const Slice s = {&p.i[k],      &p.j[k],        &p.ri[k],       &p.rj[k], &p.kn[k], &p.kt[k], &p.gamman[k],
-                     &p.gammat[k], &p.friction[k], &p.softness[k], &p.sx[k], &p.sy[k], &p.sz[k], &p.touched[k]};
-    gather(b, spheres, s, n);
-    act(b, s, dt, fresh, least, n);
-    scatter(b, spheres, s, n);
-  }
+  ContactStep s;
+  s.dt = update ? dt : 0.0;
+  s.roll = dt;
+  s.fresh = update ? 1.0 : 0.0;
+  s.least = kind.limit ? 0.0 : -HUGE_VAL;
+  s.reduce = kind.reduce ? 1.0 : 0.0;
+  s.still = kind.torsion ? 0.0 : 1.0;
+  s.wall = wall;
+  return s;
 }
 
 // square of the longest way of any of n points
@@ -292,16 +243,49 @@ CLAY_CLONES double farthest(const double *x, const double *was, int n)
 
 bool stayed(const double *x, const double *was, int n, double reach) { return farthest(x, was, n) < reach * reach; }
 
-void contactForces(const ContactSpheres &spheres, ContactPairs &pairs, double dt, bool update, bool limit)
+void contactForces(const ContactSpheres &spheres, ContactPairs &pairs, double dt, bool update)
 {
-  everyBlock(spheres, pairs, update ? dt : 0.0, update ? 1.0 : 0.0, limit ? 0.0 : -HUGE_VAL);
+  alignas(64) Block b;
+  const ContactAct act = contactAct(pairs.kind), roll = rollingAct(pairs.kind);
+  const ContactStep step = stepOf(pairs.kind, dt, update, false);
+  const int size = pairs.size();
+  for (int k = 0; k < size; k += BLOCK) {
+    const int n = std::min(BLOCK, size - k);
+    const Slice s = slice(pairs, k);
+    gather(b, spheres, s, n);
+    act(b, s, step, n);
+    if (roll) roll(b, s, step, n);
+    scatter(b, spheres, s, n);
+  }
 }
 
 int wallForces(const ContactSpheres &spheres, ContactPairs &pairs, const WallShape &wall, double *history, double dt,
-               bool update, bool limit)
+               bool update)
 {
-  return everyBlockAtWall(spheres, pairs, wall, history, update ? dt : 0.0, update ? 1.0 : 0.0,
-                          limit ? 0.0 : -HUGE_VAL);
+  alignas(64) Block b;
+  const ContactAct act = contactAct(pairs.kind), roll = rollingAct(pairs.kind);
+  const ContactStep step = stepOf(pairs.kind, dt, update, true);
+  const int size = pairs.size(), shears = pairs.kind.shears(), width = pairs.kind.history();
+  int touching = 0;
+  for (int k = 0; k < size; k += BLOCK) {
+    const int n = std::min(BLOCK, size - k);
+    Slice s = slice(pairs, k);
+    s.sx = b.s[0];
+    s.sy = b.s[1];
+    s.sz = b.s[2];
+    s.qx = b.s[shears];
+    s.qy = b.s[shears + 1];
+    s.qz = b.s[shears + 2];
+    s.touched = b.touched;
+    for (int d = 0; d < width; ++d)
+      for (int c = 0; c < n; ++c) b.s[d][c] = history[static_cast<std::size_t>(width) * s.i[c] + d];
+    std::fill_n(b.touched, n, 0.0);
+    gatherAtWall(b, spheres, s, wall, n);
+    act(b, s, step, n);
+    if (roll) roll(b, s, step, n);
+    touching += scatterAtWall(b, spheres, s, history, width, n);
+  }
+  return touching;
 }
 
 }  // namespace clay

@@ -63,6 +63,7 @@ void FixWallGranLean::read_model(int narg, char **arg)
           throw std::invalid_argument(std::string("it cannot do '") + odd + " on'");
     }
     model_.complete();
+    pairs_.kind = model_.kind;
   } catch (const std::invalid_argument &e) {
     error->all(FLERR,
                (std::string("Fix wall/gran/lean: ") + e.what() + "; for anything else take fix wall/gran").c_str());
@@ -101,9 +102,9 @@ void FixWallGranLean::init()
 
 bool FixWallGranLean::lean_step() const
 {
-  return radius_ && rmass_ && dnum_ == 3 && computeflag_ && !addflag_ && !shear_ && !store_force_ &&
+  return radius_ && rmass_ && dnum_ == model_.kind.history() && computeflag_ && !addflag_ && !shear_ && !store_force_ &&
       !store_force_contact_ && !store_force_contact_stress_ && !fix_store_multicontact_data_ && !heattransfer_flag_ &&
-      !track_energy_ && !fix_rigid_ && !fix_sum_normal_force_ && !stress_flag_ && !atom->shapetype_flag &&
+      !track_energy_ && !fix_sum_normal_force_ && !stress_flag_ && !atom->shapetype_flag &&
       neighbor->contactDistanceFactor == 1.0;
 }
 
@@ -111,7 +112,8 @@ bool FixWallGranLean::lean_step() const
 
 clay::ContactLaw FixWallGranLean::law(int i) const
 {
-  return coefficients_.law(model_, atom->type[i], atom_type_wall_, radius_[i], rmass_[i], force->nktv2p);
+  const double mass = fix_rigid_ && body_[i] >= 0 ? masstotal_[body_[i]] : rmass_[i];
+  return coefficients_.law(model_, atom->type[i], atom_type_wall_, radius_[i], mass, force->nktv2p);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -128,7 +130,8 @@ void FixWallGranLean::list()
 {
   int *spheres;
   const int n = primitiveWall_->getNeighbors(spheres);
-  double **history = fix_history_primitive_->array_atom;
+  const int width = model_.kind.history();
+  double **history = width ? fix_history_primitive_->array_atom : NULL;
   near_.clear();
   pairs_.clear();
   for (int k = 0; k < n; k++) {
@@ -138,7 +141,7 @@ void FixWallGranLean::list()
     if (shape_.cylinder)
       near_.push_back({i, r, rmass_[i], (1.0 - ROUNDING) * inner * inner, (1.0 + ROUNDING) * outer * outer});
     else near_.push_back({i, r, rmass_[i], 0.0, (1.0 + ROUNDING) * r});
-    if (shape_.gap(x_[i]) > r) history[i][0] = history[i][1] = history[i][2] = 0.0;
+    if (history && shape_.gap(x_[i]) > r) std::fill_n(history[i], width, 0.0);
   }
   add_touching();
   listed_ = true;
@@ -149,7 +152,7 @@ void FixWallGranLean::list()
 
 void FixWallGranLean::add_touching()
 {
-  const double none[3] = {0.0, 0.0, 0.0};
+  const double none[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
   for (Near &s : near_) {
     if (s.to < 0.0 || shape_.gap(x_[s.atom]) > (1.0 + AHEAD) * s.radius) continue;
     pairs_.add(s.atom, s.atom, s.radius, 0.0, law(s.atom), none, false);
@@ -200,8 +203,8 @@ void FixWallGranLean::post_force_primitive(int vflag)
 
   const clay::ContactSpheres spheres = {atom->x[0], atom->v[0],      atom->omega[0],
                                         atom->f[0], atom->torque[0], atom->nlocal};
-  const int touching = clay::wallForces(spheres, pairs_, shape_, fix_history_primitive_->array_atom[0], update->dt,
-                                        shearupdate_, model_.limitForce);
+  double *history = model_.kind.history() ? fix_history_primitive_->array_atom[0] : NULL;
+  const int touching = clay::wallForces(spheres, pairs_, shape_, history, update->dt, shearupdate_);
   touched_ += touching;
   // many that have left
   if (pairs_.size() > 2 * touching + MANY && update->ntimestep > tidied_ + SELDOM) listed_ = false;

@@ -1,9 +1,8 @@
 /* ----------------------------------------------------------------------
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
-   The contact models hooke/stiffness and hooke with tangential history of fix
-   wall/gran at primitive walls, in a loop like that of pair_style gran/lean.
-   All else is wall/gran's.
+   The contact models of lean_model.h of fix wall/gran at primitive walls, in a
+   loop like that of pair_style gran/lean. All else is wall/gran's.
 ------------------------------------------------------------------------- */
 
 #ifdef FIX_CLASS

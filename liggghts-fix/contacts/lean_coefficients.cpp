@@ -1,6 +1,8 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #include "contacts/lean_coefficients.h"
 
+#include <cmath>
+
 #include "property_registry.h"
 
 using namespace LAMMPS_NS;
@@ -9,17 +11,23 @@ using namespace LAMMPS_NS;
 
 void LeanCoefficients::connect(PropertyRegistry &registry, const clay::LeanModel &model, const char *who)
 {
-  registry.connect("coeffFrict", friction_, who);
+  if (model.kind.tangential != clay::TangentialForce::none) registry.connect("coeffFrict", friction_, who);
   if (model.modulus()) {
     registry.connect("Yeff", modulus_, who);
+    if (model.kind.normal == clay::NormalForce::hertz) {
+      registry.connect("Geff", shear_modulus_, who);
+      registry.connect("betaeff", beta_, who);
+      return;
+    }
     registry.connect("charVel", speed_, who);
     registry.connect("coeffRestLog", restitution_log_, who);
     return;
   }
+  const bool hertz = model.kind.normal == clay::NormalForce::hertzStiffness;
   registry.connect("k_n", kn_, who);
   registry.connect("k_t", kt_, who);
-  registry.connect(model.absoluteDamping ? "gamman_abs" : "gamman", gamman_, who);
-  registry.connect(model.absoluteDamping ? "gammat_abs" : "gammat", gammat_, who);
+  registry.connect(model.absoluteDamping ? "gamman_abs" : hertz ? "gamma_n" : "gamman", gamman_, who);
+  registry.connect(model.absoluteDamping ? "gammat_abs" : hertz ? "gamma_t" : "gammat", gammat_, who);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -28,18 +36,23 @@ clay::ContactLaw LeanCoefficients::law(const clay::LeanModel &model, int a, int 
                                        double nktv2p) const
 {
   clay::ContactLaw law;
-  if (model.modulus()) {
+  if (model.kind.normal == clay::NormalForce::hertz) {
+    law = clay::hertzLaw(radius, mass, modulus_[a][b], shear_modulus_[a][b], beta_[a][b]);
+    law.kn /= nktv2p;
+    law.kt /= nktv2p;
+  } else if (model.modulus()) {
     law = clay::hookeLaw(radius, mass, modulus_[a][b], speed_, restitution_log_[a][b]);
     law.kn /= nktv2p;
     law.kt = model.softer ? 0.285714286 * law.kn : law.kn;
   } else {
+    const double root = model.kind.normal == clay::NormalForce::hertzStiffness ? sqrt(radius) : 1.0;
     const double moving = model.absoluteDamping ? 1.0 : mass;
-    law.kn = kn_[a][b] / nktv2p;
-    law.kt = kt_[a][b] / nktv2p;
-    law.gamman = moving * gamman_[a][b];
-    law.gammat = moving * gammat_[a][b];
+    law.kn = root * kn_[a][b] / nktv2p;
+    law.kt = root * kt_[a][b] / nktv2p;
+    law.gamman = root * moving * gamman_[a][b];
+    law.gammat = root * moving * gammat_[a][b];
   }
   if (!model.tangentialDamping) law.gammat = 0.0;
-  law.friction = friction_[a][b];
+  if (friction_) law.friction = friction_[a][b];
   return law;
 }

@@ -1,23 +1,45 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #include "contacts/lean_model.h"
 
+#include <map>
 #include <stdexcept>
 
 namespace clay {
+
+namespace {
+
+const std::map<std::string, NormalForce> normals = {{"hooke", NormalForce::linear},
+                                                    {"hooke/stiffness", NormalForce::linear},
+                                                    {"hertz", NormalForce::hertz},
+                                                    {"hertz/stiffness", NormalForce::hertzStiffness}};
+const std::map<std::string, TangentialForce> tangentials = {
+    {"off", TangentialForce::none}, {"no_history", TangentialForce::damped}, {"history", TangentialForce::sprung}};
+
+template <class Choice>
+bool choose(const std::map<std::string, Choice>& from, const std::string& name, Choice& to)
+{
+  const auto found = from.find(name);
+  if (found != from.end()) to = found->second;
+  return found != from.end();
+}
+
+}  // namespace
 
 bool LeanModel::take(const std::string& name, const std::string& value)
 {
   bool can = false;
   if (name == "model") {
-    modulus_ = value == "hooke";
-    can = model_ = modulus_ || value == "hooke/stiffness";
-  } else if (name == "tangential") can = tangential_ = value == "history";
-  else if (name == "rolling_friction" || name == "cohesion") can = value == "off";
+    can = choose(normals, value, kind.normal);
+    name_ = value;
+  } else if (name == "tangential") {
+    can = choose(tangentials, value, kind.tangential);
+    tangential_ = value;
+  } else if (name == "rolling_friction" || name == "cohesion") can = value == "off";
   else if (name == "surface") can = value == "default";
   else {
     bool* on = name == "tangential_damping" ? &tangentialDamping
         : name == "absolute_damping"        ? &absoluteDamping
-        : name == "limitForce"              ? &limitForce
+        : name == "limitForce"              ? &kind.limit
         : name == "ktToKnUser"              ? &softer
                                             : nullptr;
     if (!on) return false;
@@ -25,18 +47,18 @@ bool LeanModel::take(const std::string& name, const std::string& value)
     *on = value == "on";
   }
   if (!can)
-    throw std::invalid_argument(
-        "'" + name + " " + value +
-        "' is not among what it can do: "
-        "model hooke/stiffness tangential history [tangential_damping|absolute_damping|limitForce on|off], "
-        "model hooke tangential history [tangential_damping|limitForce|ktToKnUser on|off]");
+    throw std::invalid_argument("'" + name + " " + value +
+                                "' is not among what it can do: "
+                                "model hooke|hooke/stiffness|hertz|hertz/stiffness "
+                                "tangential history|no_history|off "
+                                "[tangential_damping|limitForce on|off] [absolute_damping on|off with hooke/stiffness] "
+                                "[ktToKnUser on|off with hooke]");
   return true;
 }
 
 void LeanModel::complete() const
 {
-  if (!model_) throw std::invalid_argument("'model hooke/stiffness' is missing");
-  if (!tangential_) throw std::invalid_argument("'tangential history' is missing");
+  if (name_.empty()) throw std::invalid_argument("'model' is missing");
 }
 
 }  // namespace clay

@@ -48,6 +48,9 @@ void PairGranLean::settings(int narg, char **arg)
     error->all(FLERR,
                (std::string("Pair style gran/lean: ") + e.what() + "; for anything else take pair_style gran").c_str());
   }
+  hand_back_history();
+  pairs_.clear();
+  pairs_.kind = model_.kind;
   PairGranProxy::settings(narg, arg);
 }
 
@@ -55,8 +58,7 @@ void PairGranLean::settings(int narg, char **arg)
 
 void PairGranLean::init_style()
 {
-  if (!contact_match("normal", model_.modulus() ? "hooke" : "hooke/stiffness") ||
-      !contact_match("tangential", "history"))
+  if (!contact_match("normal", model_.name()) || !contact_match("tangential", model_.tangential()))
     error->all(FLERR, "Pair style gran/lean: the restart file is of another contact model; take pair_style gran");
   if (neighbor->contactDistanceFactor != 1.0)
     error->all(FLERR, "Pair style gran/lean: contact_distance_factor must be 1; for another take pair_style gran");
@@ -67,9 +69,9 @@ void PairGranLean::init_style()
                   " adds to the contact history; take pair_style gran")
                      .c_str());
   flags_read_ = modify->n_fixes_style("heat/gran") > 0 || modify->n_fixes_style("insert/stream/predefined") > 0 ||
-      modify->n_computes_style("contact/atom") > 0;
+      modify->n_fixes_style("relax_contacts") > 0 || modify->n_computes_style("contact/atom") > 0;
   hand_back_history();  // before the lists of the last run are gone
-  if (!fix_history) make_history();
+  if (!fix_history && dnum_pair() > 0) make_history();
   PairGranProxy::init_style();
 }
 
@@ -113,10 +115,8 @@ void PairGranLean::init_granular()
 void PairGranLean::hand_back_history()
 {
   if (sought_)
-    for (int k = 0; k < pairs_.size(); k++) {
-      kept_[k][0] = pairs_.sx[k];
-      kept_[k][1] = pairs_.sy[k];
-      kept_[k][2] = pairs_.sz[k];
+    for (std::size_t k = 0; k < kept_.size(); k++) {
+      pairs_.tell(k, kept_[k]);
       if (pairs_.touched[k] != 0.0) *flag_[k] |= 1;
     }
   sought_ = false;

@@ -1,8 +1,8 @@
 /* ----------------------------------------------------------------------
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
-   The contact models hooke/stiffness and hooke with tangential history of
-   pair_style gran, in a loop of its own. All else, from settings to restart, is gran's.
+   The contact models of lean_model.h of pair_style gran, in a loop of its own.
+   All else, from settings to restart, is gran's.
 ------------------------------------------------------------------------- */
 
 #ifdef PAIR_CLASS

@@ -34,7 +34,7 @@ const double MOST = 0.2;
 
 bool PairGranLean::lean_step(int eflag, int vflag, int addflag) const
 {
-  return !eflag && !vflag && !addflag && listgranhistory && atom->rmass && computeflag() && !fr_pair() &&
+  return !eflag && !vflag && !addflag && (listgranhistory || !model_.kind.history()) && atom->rmass && computeflag() &&
       !storeContactForces() && !store_contact_forces_stress_ && !store_multicontact_data_ &&
       !store_sum_normal_force() && !flags_read_;
 }
@@ -44,7 +44,12 @@ bool PairGranLean::lean_step(int eflag, int vflag, int addflag) const
 clay::ContactLaw PairGranLean::law(int i, int j) const
 {
   const int a = atom->type[i], b = atom->type[j];
-  const double mi = atom->rmass[i], mj = atom->rmass[j];
+  double mi = atom->rmass[i], mj = atom->rmass[j];
+  if (fr_pair()) {
+    const double *body = mr_pair();
+    if (body[i] > 0.0) mi = body[i];
+    if (body[j] > 0.0) mj = body[j];
+  }
   double moving = mi * mj / (mi + mj);
   if (atom->mask[i] & freeze_group_bit()) moving = mj;
   if (atom->mask[j] & freeze_group_bit()) moving = mi;
@@ -96,16 +101,17 @@ void PairGranLean::seek_pairs()
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     const int *neighbours = list->firstneigh[i];
-    int *flags = listgranhistory->firstneigh[i];
-    double *history = listgranhistory->firstdouble[i];
+    int *flags = listgranhistory ? listgranhistory->firstneigh[i] : nullptr;
+    double *history = listgranhistory ? listgranhistory->firstdouble[i] : nullptr;
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = neighbours[jj] & NEIGHMASK;
       const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
       const double reach = radius[i] + radius[j] + margin_;
       if (dx * dx + dy * dy + dz * dz >= reach * reach) continue;
-      double *shear = &history[dnum() * jj];
-      pairs_.add(i, j, radius[i], radius[j], law(i, j), shear, false);
-      kept_.push_back(shear);
+      double *before = history ? &history[dnum() * jj] : nullptr;
+      pairs_.add(i, j, radius[i], radius[j], law(i, j), before, false);
+      if (!history) continue;
+      kept_.push_back(before);
       flag_.push_back(&flags[jj]);
     }
   }
@@ -130,5 +136,5 @@ void PairGranLean::compute_force(int eflag, int vflag, int addflag)
 
   const clay::ContactSpheres spheres = {atom->x[0], atom->v[0],      atom->omega[0],
                                         atom->f[0], atom->torque[0], atom->nlocal};
-  clay::contactForces(spheres, pairs_, update->dt, shearupdate(), model_.limitForce);
+  clay::contactForces(spheres, pairs_, update->dt, shearupdate());
 }

@@ -21,18 +21,19 @@ struct Scene {
   std::vector<double> x, v, omega, f, torque;
   ContactPairs pairs;
 
-  void forces(double dt, bool update, bool limit, int owned)
+  void forces(double dt, bool update, int owned)
   {
-    contactForces({x.data(), v.data(), omega.data(), f.data(), torque.data(), owned}, pairs, dt, update, limit);
+    contactForces({x.data(), v.data(), omega.data(), f.data(), torque.data(), owned}, pairs, dt, update);
   }
 };
 
 // every pair of balls thrown into a box: some overlap, some do not
-Scene scene(int n, unsigned seed)
+Scene scene(int n, unsigned seed, const ContactKind &kind = ContactKind())
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> box(0, 5e-3), unit(-1, 1), size(0.7e-3, 1e-3);
   Scene s;
+  s.pairs.kind = kind;
   for (int i = 0; i < n; ++i)
     s.balls.push_back({Vector3d(box(random), box(random), box(random)),
                        0.1 * Vector3d(unit(random), unit(random), unit(random)),
@@ -51,6 +52,12 @@ Scene scene(int n, unsigned seed)
       law.kt = 2000 + 100 * unit(random);
       law.gamman = 0.2;
       law.gammat = 0.1;
+      if (kind.normal != NormalForce::linear) {  // much the same at an overlap of 0.1 mm
+        law.kn *= 100;
+        law.kt *= 100;
+        law.gamman *= kind.normal == NormalForce::hertz ? 10 : 100;
+        law.gammat *= kind.normal == NormalForce::hertz ? 10 : 100;
+      }
       law.friction = (i + j) % 5 ? 0.5 : 0.01;
       const Vector3d shear = 1e-5 * Vector3d(unit(random), unit(random), unit(random));
       s.pairs.add(i, j, s.balls[i].r, s.balls[j].r, law, shear.data(), false);
@@ -65,7 +72,7 @@ struct Contact {
 };
 
 Contact contact(const Ball &a, const Ball &b, const ContactPairs &p, int k, const Vector3d &before, double dt,
-                bool update, bool limit)
+                bool update)
 {
   Contact c = {};
   c.shear = before;
@@ -74,22 +81,51 @@ Contact contact(const Ball &a, const Ball &b, const ContactPairs &p, int k, cons
   const Vector3d n = (a.x - b.x).normalized(), ra = -(a.r - delta / 2) * n, rb = (b.r - delta / 2) * n;
   const Vector3d v = a.v + a.w.cross(ra) - b.v - b.w.cross(rb);
   const Vector3d vt = v - v.dot(n) * n;
-  double fn = p.kn[k] * delta - p.gamman[k] * v.dot(n);
-  if (limit) fn = std::max(fn, 0.0);
-  Vector3d shear = c.shear;
-  if (update) {
-    shear += vt * dt;
-    shear -= shear.dot(n) * n;
+  const NormalForce normal = p.kind.normal;
+  const double stiff = normal == NormalForce::linear ? 1 : std::sqrt(delta);
+  const double damp = normal == NormalForce::hertz ? std::sqrt(stiff) : stiff;
+  const double kt = stiff * p.kt[k], gammat = damp * p.gammat[k];
+  double fn = stiff * p.kn[k] * delta - damp * p.gamman[k] * v.dot(n);
+  if (p.kind.limit) fn = std::max(fn, 0.0);
+  const double most = p.friction[k] * std::abs(fn);
+  Vector3d ft = Vector3d::Zero();
+  if (p.kind.tangential == TangentialForce::damped) {
+    ft = -gammat * vt;
+    c.slides = ft.norm() > most;
+    if (c.slides) ft *= most / ft.norm();
   }
-  Vector3d ft = -p.kt[k] * shear;
-  c.slides = ft.norm() > p.friction[k] * std::abs(fn);
-  if (c.slides) ft *= p.friction[k] * std::abs(fn) / ft.norm();
-  if (update) c.shear = -ft / p.kt[k];
-  if (!c.slides) ft -= p.gammat[k] * vt;
+  if (p.kind.tangential == TangentialForce::sprung) {
+    Vector3d shear = c.shear;
+    if (update) {
+      shear += vt * dt;
+      shear -= shear.dot(n) * n;
+    }
+    ft = -kt * shear;
+    c.slides = ft.norm() > most;
+    if (c.slides) ft *= most / ft.norm();
+    if (update) c.shear = -ft / kt;
+    if (!c.slides) ft -= gammat * vt;
+  }
   c.f = fn * n + ft;
   c.ti = ra.cross(ft);
   c.tj = rb.cross(-ft);
   return c;
+}
+
+// each stiffness with each friction, with and without forces that pull
+std::vector<ContactKind> kinds()
+{
+  std::vector<ContactKind> all;
+  for (NormalForce normal : {NormalForce::linear, NormalForce::hertz, NormalForce::hertzStiffness})
+    for (TangentialForce tangential : {TangentialForce::none, TangentialForce::damped, TangentialForce::sprung})
+      for (bool limit : {true, false}) {
+        ContactKind kind;
+        kind.normal = normal;
+        kind.tangential = tangential;
+        kind.limit = limit;
+        all.push_back(kind);
+      }
+  return all;
 }
 
 }  // namespace
@@ -98,16 +134,18 @@ TEST(ContactKernel, everyContactByTheTextbook)
 {
   const double dt = 1e-5;
   const int owned = 70;  // of 90
-  for (bool update : {true, false})
-    for (bool limit : {true, false}) {
-      Scene s = scene(90, 3);
+  for (const ContactKind &kind : kinds())
+    for (bool update : {true, false}) {
+      Scene s = scene(90, 3, kind);
+      const bool sprung = kind.tangential == TangentialForce::sprung;
       std::vector<Vector3d> f(s.balls.size(), Vector3d::Zero()), torque = f;
       std::vector<Contact> expected;
       double size = 0, turn = 0;
       int touching = 0, sliding = 0;
       for (int k = 0; k < s.pairs.size(); ++k) {
-        const Contact c = contact(s.balls[s.pairs.i[k]], s.balls[s.pairs.j[k]], s.pairs, k,
-                                  Vector3d(s.pairs.sx[k], s.pairs.sy[k], s.pairs.sz[k]), dt, update, limit);
+        Vector3d before = Vector3d::Zero();
+        if (sprung) s.pairs.tell(k, before.data());
+        const Contact c = contact(s.balls[s.pairs.i[k]], s.balls[s.pairs.j[k]], s.pairs, k, before, dt, update);
         expected.push_back(c);
         f[s.pairs.i[k]] += c.f;
         torque[s.pairs.i[k]] += c.ti;
@@ -120,11 +158,11 @@ TEST(ContactKernel, everyContactByTheTextbook)
         touching += c.touch;
         sliding += c.slides;
       }
-      EXPECT_GT(sliding, 40);
+      EXPECT_GT(sliding, kind.tangential == TangentialForce::none ? -1 : sprung ? 40 : 20);
       EXPECT_GT(touching, sliding + 50);
       EXPECT_GT(s.pairs.size(), touching + 50);
 
-      s.forces(dt, update, limit, owned);
+      s.forces(dt, update, owned);
       for (std::size_t i = 0; i < s.balls.size(); ++i)
         for (int d = 0; d < 3; ++d) {
           EXPECT_NEAR(s.f[3 * i + d], f[i][d], 1e-13 * size);
@@ -132,6 +170,7 @@ TEST(ContactKernel, everyContactByTheTextbook)
         }
       for (int k = 0; k < s.pairs.size(); ++k) {
         EXPECT_EQ(s.pairs.touched[k], expected[k].touch);
+        if (!sprung) continue;
         const double shear[3] = {s.pairs.sx[k], s.pairs.sy[k], s.pairs.sz[k]};
         for (int d = 0; d < 3; ++d) EXPECT_NEAR(shear[d], expected[k].shear[d], 1e-13 * 1e-5);
       }
@@ -151,8 +190,9 @@ TEST(ContactKernel, everyWallByTheTextbook)
   tube.centre[0] = tube.centre[1] = 2.5e-3;
   for (const WallShape &wall : {plane, tube})
     for (bool update : {true, false})
-      for (bool limit : {true, false}) {
-        Scene s = scene(90, 4);
+      for (const ContactKind &kind : kinds()) {
+        Scene s = scene(90, 4, kind);
+        const bool sprung = kind.tangential == TangentialForce::sprung;
         const ContactPairs laws = s.pairs;
         s.pairs.clear();
         std::vector<double> history;
@@ -176,28 +216,58 @@ TEST(ContactKernel, everyWallByTheTextbook)
           } else point.x[1] = 1e-3;
           EXPECT_NEAR(wall.gap(a.x.data()), (a.x - point.x).norm(), 1e-15);
           // only one that touches has been displaced
-          Vector3d shear(laws.sx[i], laws.sy[i], laws.sz[i]);
-          if ((a.x - point.x).norm() >= a.r) shear.setZero();
-          history.insert(history.end(), shear.data(), shear.data() + 3);
-          expected.push_back(contact(a, point, s.pairs, i, shear, dt, update, limit));
+          Vector3d shear = Vector3d::Zero();
+          if (sprung && (a.x - point.x).norm() < a.r) laws.tell(i, shear.data());
+          history.insert(history.end(), shear.data(), shear.data() + kind.history());
+          expected.push_back(contact(a, point, s.pairs, i, shear, dt, update));
           size = std::max(size, expected.back().f.norm());
           turn = std::max(turn, expected.back().ti.norm());
           touching += expected.back().touch;
           sliding += expected.back().slides;
         }
-        EXPECT_GT(sliding, 3);
+        EXPECT_GT(sliding, kind.tangential == TangentialForce::none ? -1 : sprung ? 3 : 1);
         EXPECT_GT(touching, sliding + 3);
         EXPECT_LT(touching, 80);
         EXPECT_EQ(wallForces({s.x.data(), s.v.data(), s.omega.data(), s.f.data(), s.torque.data(), 90}, s.pairs, wall,
-                             history.data(), dt, update, limit),
+                             history.data(), dt, update),
                   touching);
         for (int i = 0; i < 90; ++i)
           for (int d = 0; d < 3; ++d) {
             EXPECT_NEAR(s.f[3 * i + d], expected[i].f[d], 1e-12 * size);
             EXPECT_NEAR(s.torque[3 * i + d], expected[i].ti[d], 1e-12 * turn);
-            EXPECT_NEAR(history[3 * i + d], expected[i].shear[d], 1e-12 * 1e-5);
+            if (sprung) EXPECT_NEAR(history[3 * i + d], expected[i].shear[d], 1e-12 * 1e-5);
           }
       }
+}
+
+// 4/3 Y sqrt(R) delta^(3/2), slipping at 8 G sqrt(R delta) s; damping -2 sqrt(5/6) beta sqrt(S m),
+// S the slope of the force: Hertz's and Tsuji's by their formulas
+TEST(ContactKernel, hertzByItsFormula)
+{
+  const double r1 = 1e-3, r2 = 2e-3, R = r1 * r2 / (r1 + r2), m = 3e-6, Y = 6e6, G = 1.4e6, beta = -0.3;
+  const ContactLaw law = hertzLaw(R, m, Y, G, beta);
+  for (double delta : {1e-9, 1e-6, 2e-5}) {
+    for (double speed : {0.0, 0.02}) {
+      Scene s;
+      s.pairs.kind.normal = NormalForce::hertz;
+      s.x = {0, 0, 0, 0, 0, r1 + r2 - delta};
+      s.v = {0, 0, 0, 0, 0, -speed};
+      s.omega.assign(6, 0.0);
+      s.f.assign(6, 0.0);
+      s.torque.assign(6, 0.0);
+      const double shear[3] = {delta / 7, 0, 0};
+      ContactLaw rough = law;
+      rough.friction = 100;
+      s.pairs.add(0, 1, r1, r2, rough, shear, true);
+      s.forces(1e-6, true, 2);
+      const double root = std::sqrt(R * delta), spring = 4.0 / 3.0 * Y * root * delta;
+      const double dashpot = -2 * std::sqrt(5.0 / 6) * beta * std::sqrt(2 * Y * root * m) * speed;
+      EXPECT_NEAR(s.f[5], spring + dashpot, 1e-6 * (spring + dashpot)) << delta;
+      EXPECT_NEAR(s.f[0], -8 * G * root * delta / 7, 1e-6 * G * root * delta) << delta;
+      EXPECT_NEAR(s.torque[1], (r1 - delta / 2) * s.f[0], 1e-6 * std::abs(r1 * s.f[0])) << delta;
+    }
+  }
+  EXPECT_NEAR(law.gammat, -2 * std::sqrt(5.0 / 6) * beta * std::sqrt(8 * G * std::sqrt(R) * m), 1e-12 * law.gammat);
 }
 
 // forces are added to, and what has touched before counts as touched
@@ -208,7 +278,7 @@ TEST(ContactKernel, whatIsThereStays)
   s.f[0] = 7;
   s.pairs.touched[0] = 1;
   const double before = s.pairs.sx[0];
-  s.forces(1e-5, true, false, 2);
+  s.forces(1e-5, true, 2);
   EXPECT_EQ(s.f[0], 7);
   EXPECT_EQ(s.pairs.touched[0], 1);
   EXPECT_EQ(s.pairs.sx[0], before);

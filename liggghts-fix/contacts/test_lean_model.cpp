@@ -12,7 +12,8 @@ TEST(LeanModel, takesModelsAndSwitches)
   LeanModel m;
   EXPECT_FALSE(m.modulus());
   EXPECT_TRUE(m.take("model", "hooke/stiffness"));
-  EXPECT_THROW(m.complete(), std::invalid_argument);
+  EXPECT_NO_THROW(m.complete());
+  EXPECT_EQ(m.tangential(), "off");
   EXPECT_TRUE(m.take("tangential", "history"));
   EXPECT_NO_THROW(m.complete());
   EXPECT_FALSE(m.modulus());
@@ -20,15 +21,15 @@ TEST(LeanModel, takesModelsAndSwitches)
   EXPECT_TRUE(m.take("rolling_friction", "off"));
   EXPECT_TRUE(m.take("cohesion", "off"));
   EXPECT_TRUE(m.tangentialDamping);
-  EXPECT_FALSE(m.absoluteDamping || m.limitForce || m.softer);
+  EXPECT_FALSE(m.absoluteDamping || m.kind.limit || m.softer);
   EXPECT_TRUE(m.take("tangential_damping", "off"));
   EXPECT_TRUE(m.take("absolute_damping", "on"));
   EXPECT_TRUE(m.take("limitForce", "on"));
   EXPECT_TRUE(m.take("ktToKnUser", "on"));
   EXPECT_FALSE(m.tangentialDamping);
-  EXPECT_TRUE(m.absoluteDamping && m.limitForce && m.softer);
+  EXPECT_TRUE(m.absoluteDamping && m.kind.limit && m.softer);
   EXPECT_TRUE(m.take("limitForce", "off"));
-  EXPECT_FALSE(m.limitForce);
+  EXPECT_FALSE(m.kind.limit);
 }
 
 TEST(LeanModel, modulusWithHooke)
@@ -40,10 +41,35 @@ TEST(LeanModel, modulusWithHooke)
   EXPECT_NO_THROW(m.complete());
 }
 
+TEST(LeanModel, kindsOfLaw)
+{
+  const struct {
+    const char *model, *tangential;
+    clay::NormalForce normal;
+    clay::TangentialForce friction;
+    int history;
+  } expected[] = {
+      {"hooke", "off", clay::NormalForce::linear, clay::TangentialForce::none, 0},
+      {"hertz", "no_history", clay::NormalForce::hertz, clay::TangentialForce::damped, 0},
+      {"hertz/stiffness", "history", clay::NormalForce::hertzStiffness, clay::TangentialForce::sprung, 3},
+  };
+  for (const auto& e : expected) {
+    LeanModel m;
+    m.take("model", e.model);
+    m.take("tangential", e.tangential);
+    EXPECT_EQ(m.name(), e.model);
+    EXPECT_EQ(m.tangential(), e.tangential);
+    EXPECT_EQ(m.kind.normal, e.normal);
+    EXPECT_EQ(m.kind.tangential, e.friction);
+    EXPECT_EQ(m.kind.history(), e.history);
+    EXPECT_EQ(m.modulus(), e.model != std::string("hertz/stiffness"));
+  }
+}
+
 TEST(LeanModel, refusesWhatItCannotDo)
 {
-  const char* bad[][2] = {{"model", "hertz"},        {"tangential", "no_history"}, {"rolling_friction", "epsd"},
-                          {"cohesion", "sjkr"},      {"surface", "superquadric"},  {"limitForce", "maybe"},
+  const char* bad[][2] = {{"model", "jkr"},          {"tangential", "luding"},    {"rolling_friction", "epsd"},
+                          {"cohesion", "sjkr"},      {"surface", "superquadric"}, {"limitForce", "maybe"},
                           {"tangential_damping", ""}};
   for (const auto& b : bad) {
     LeanModel m;

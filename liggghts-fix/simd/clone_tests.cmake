@@ -6,6 +6,7 @@ set(rooms ${CMAKE_CURRENT_SOURCE_DIR})
 set(clones
   ${rooms}/clumps/body_rotation.cpp
   ${rooms}/clumps/body_spheres.cpp
+  ${rooms}/contacts/contact_act.cpp
   ${rooms}/contacts/contact_kernel.cpp
   ${rooms}/coulomb/charge_tiles.cpp)
 set_source_files_properties(${clones} PROPERTIES COMPILE_OPTIONS "${CLAY_SIMD_OPTIONS}")

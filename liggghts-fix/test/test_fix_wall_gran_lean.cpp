@@ -12,10 +12,11 @@ using test::Host;
 
 namespace {
 
-const char *const STIFFNESS = "hooke/stiffness", *const HOOKE = "hooke";
+const char *const STIFFNESS = "hooke/stiffness", *const HOOKE = "hooke", *const HERTZ = "hertz";
 
 /// Spheres thrown into a tube with a floor; a wall of each shape, by the given style and model.
-std::string thrown(const std::string &wall, const std::string &law, const std::string &more = "")
+std::string thrown(const std::string &wall, const std::string &law, const std::string &more = "",
+                   const std::string &friction = "history")
 {
   std::ostringstream s;
   s.precision(17);
@@ -38,7 +39,7 @@ std::string thrown(const std::string &wall, const std::string &law, const std::s
       << "set atom " << i << " diameter " << size(random) << "\nset atom " << i << " density 2600\n"
       << "group one id " << i << "\nvelocity one set " << speed(random) << ' ' << speed(random) << ' ' << speed(random)
       << " units box\ngroup one delete\n";
-  const std::string model = " all " + wall + " model " + law + " tangential history primitive type ";
+  const std::string model = " all " + wall + " model " + law + " tangential " + friction + " primitive type ";
   s << "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\n"
     << "fix floor" << model << "1 zplane 0. " << more << "\nfix side" << model << "2 zcylinder 0.007 0. 0. " << more
     << "\nfix xl" << model << "1 xplane -0.006 " << more << "\ntimestep 2e-6\n";
@@ -46,34 +47,38 @@ std::string thrown(const std::string &wall, const std::string &law, const std::s
 }
 
 // unlike rounding grows from contact to contact: few steps show the law, more of them its use
-void same(const std::string &law, const std::string &more, int steps, double x_gate, double v_gate, double f_gate)
+void same(const std::string &law, const std::string &more, const std::string &friction, int steps, double x_gate,
+          double v_gate, double f_gate)
 {
   Host stock, lean;
   const std::string run = "run " + std::to_string(steps) + "\n";
-  stock(thrown("wall/gran", law, more) + run);
-  lean(thrown("wall/gran/lean", law, more) + run);
+  stock(thrown("wall/gran", law, more, friction) + run);
+  lean(thrown("wall/gran/lean", law, more, friction) + run);
   const auto a = stock.atoms(), b = lean.atoms();
   ASSERT_EQ(a.size(), b.size());
-  double x = 0, v = 0, f = 0, most = 0;
+  double x = 0, v = 0, f = 0, most = 0, turn = 0, most_turn = 1e-30;
   for (std::size_t i = 0; i < a.size(); i++)
     for (int d = 0; d < 3; d++) {
       x = std::max(x, std::abs(a[i].x[d] - b[i].x[d]));
       v = std::max(v, std::abs(a[i].v[d] - b[i].v[d]));
       f = std::max(f, std::abs(a[i].f[d] - b[i].f[d]));
       most = std::max(most, std::abs(a[i].f[d]));
+      turn = std::max(turn, std::abs(a[i].torque[d] - b[i].torque[d]));
+      most_turn = std::max(most_turn, std::abs(a[i].torque[d]));
     }
   EXPECT_LT(x, x_gate);
   EXPECT_LT(v, v_gate);
   EXPECT_LT(f, f_gate * most);
+  EXPECT_LT(turn, f_gate * most_turn);
   double contacts = lean.fix("floor")->compute_vector(1) + lean.fix("side")->compute_vector(1), all;
   MPI_Allreduce(&contacts, &all, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
   EXPECT_GT(all, 100);
 }
 
-void same(const std::string &law, const std::string &more)
+void same(const std::string &law, const std::string &more, const std::string &friction = "history")
 {
-  same(law, more, 200, 1e-16, 1e-12, 1e-13);
-  same(law, more, 1000, 1e-13, 1e-9, 1e-6);
+  same(law, more, friction, 200, 1e-16, 1e-12, 1e-13);
+  same(law, more, friction, 1000, 1e-13, 1e-9, 1e-6);
 }
 
 }  // namespace
@@ -86,6 +91,19 @@ TEST(FixWallGranLean, takesModulusAndRestitution)
 {
   same(HOOKE, "");
   same(HOOKE, "tangential_damping off ktToKnUser on");
+}
+
+TEST(FixWallGranLean, takesHertz)
+{
+  same(HERTZ, "");
+  same(HERTZ, "tangential_damping off limitForce on");
+  same("hertz/stiffness", "");
+}
+
+TEST(FixWallGranLean, takesFrictionWithoutHistory)
+{
+  for (const char *law : {STIFFNESS, HERTZ})
+    for (const char *friction : {"no_history", "off"}) same(law, "", friction);
 }
 
 TEST(FixWallGranLean, keepsDisplacementsWhereStockDoes)

@@ -70,16 +70,16 @@ int near_pairs(Host &host)
   return all;
 }
 
-// largest difference of positions, velocities and forces, each over the largest there is
+// largest difference of positions, velocities, forces and torques, each over the largest there is
 struct Apart {
-  double x, v, f, largest_f;
+  double x, v, f, torque, largest_f;
 };
 
 Apart apart(const std::vector<test::Atom> &a, const std::vector<test::Atom> &b)
 {
-  Apart worst = {1, 1, 1, 0};
+  Apart worst = {1, 1, 1, 1, 0};
   if (a.size() != b.size()) return worst;
-  double d[3] = {0, 0, 0}, size[3] = {0, 0, 0};
+  double d[4] = {0, 0, 0, 0}, size[4] = {0, 0, 0, 1e-30};
   const auto compare = [&](int what, const double *p, const double *q) {
     for (int c = 0; c < 3; c++) {
       d[what] = std::max(d[what], std::abs(p[c] - q[c]));
@@ -90,8 +90,9 @@ Apart apart(const std::vector<test::Atom> &a, const std::vector<test::Atom> &b)
     compare(0, a[i].x, b[i].x);
     compare(1, a[i].v, b[i].v);
     compare(2, a[i].f, b[i].f);
+    compare(3, a[i].torque, b[i].torque);
   }
-  return {d[0] / size[0], d[1] / size[1], d[2] / size[2], size[2]};
+  return {d[0] / size[0], d[1] / size[1], d[2] / size[2], d[3] / size[3], size[2]};
 }
 
 // the same script with gran/lean for gran
@@ -104,17 +105,26 @@ std::string lean_of(std::string script)
   return script;
 }
 
-void expect_same(const std::string &script, double tolerance, const std::string &what)
+// the same script with wall/gran/lean for wall/gran
+std::string lean_walls_of(std::string script)
+{
+  for (std::size_t at = 0; (at = script.find("wall/gran ", at)) != std::string::npos; at += 14)
+    script.insert(at + 9, "/lean");
+  return script;
+}
+
+void expect_same(const std::string &script, double tolerance, const std::string &what, bool walls_too = false)
 {
   Host stock, ours;
   stock(script);
-  ours(lean_of(script));
+  ours(walls_too ? lean_walls_of(lean_of(script)) : lean_of(script));
   ASSERT_NE(lean(ours), nullptr);
   const Apart d = apart(stock.atoms(), ours.atoms());
   EXPECT_GT(d.largest_f, 0.01) << what;
   EXPECT_LT(d.x, tolerance) << what;
   EXPECT_LT(d.v, tolerance) << what;
   EXPECT_LT(d.f, tolerance) << what;
+  EXPECT_LT(d.torque, tolerance) << what;
   EXPECT_GT(near_pairs(ours), 0) << what;
 }
 
@@ -165,6 +175,59 @@ TEST(PairGranLean, modulusAndRestitution)
               1e-8, "hooke, 1000 steps");
 }
 
+namespace {
+
+const std::string stiffness = "fix m1 all property/global kn peratomtypepair 2 9e6 8e6 8e6 6e6\n"
+                              "fix m2 all property/global kt peratomtypepair 2 7e6 6e6 6e6 5e6\n"
+                              "fix m3 all property/global gamman peratomtypepair 2 3e6 2e6 2e6 1e6\n"
+                              "fix m4 all property/global gammat peratomtypepair 2 1e6 2e6 2e6 3e6\n"
+                              "fix m5 all property/global coefficientFriction peratomtypepair 2 0.5 0.3 0.3 0.1\n";
+
+const std::string hertz_walls =
+    "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.\n"
+    "fix side all wall/gran model hertz tangential history primitive type 2 zcylinder 0.009 0. 0.\n";
+
+}  // namespace
+
+// of two types, unequal radii: stiffness that grows with the overlap, each friction, each switch
+TEST(PairGranLean, hertzOfGran)
+{
+  for (const std::string friction : {"history", "no_history", "off"})
+    for (const std::string more : {"", "tangential_damping off", "limitForce on"}) {
+      const std::string law = " tangential " + friction + " " + more + "\npair_coeff * *\n";
+      const std::string spheres_of = spheres(220, 13) + "timestep 1e-6\nrun 20\n";
+      expect_same(box() + modulus + "pair_style gran model hertz" + law + spheres_of, 1e-12, "hertz " + law);
+      expect_same(box() + stiffness + "pair_style gran model hertz/stiffness" + law + spheres_of, 1e-12,
+                  "hertz/stiffness " + law);
+    }
+  for (const std::string friction : {"no_history", "off"})
+    expect_same(box() + modulus + "pair_style gran model hooke tangential " + friction + "\npair_coeff * *\n" +
+                    spheres(220, 13) + "timestep 1e-6\nrun 20\n",
+                1e-12, "hooke " + friction);
+}
+
+// through many lists, rolling and sliding, at walls, some spheres frozen
+TEST(PairGranLean, hertzOverThousandSteps)
+{
+  const std::string style = box() + modulus + "pair_style gran model hertz tangential history\npair_coeff * *\n";
+  const std::string run = "neighbor 0.0001 bin\ntimestep 5e-6\nrun 1000\n";
+  expect_same(style + hertz_walls + spheres(120, 14) + run, 1e-8, "hertz");
+  expect_same(style + hertz_walls + spheres(120, 14) + "group held id 1:20\nfix hold held freeze\n" + run, 1e-8,
+              "hertz, frozen");
+}
+
+// the mass that counts is the body's
+TEST(PairGranLean, bodiesOfFixRigid)
+{
+  std::string script = spheres(120, 15);
+  script.erase(script.find("fix nve all nve/sphere"), 23);
+  expect_same(box() + modulus + "pair_style gran model hertz tangential history\npair_coeff * *\n" + hertz_walls +
+                  script +
+                  "group bound id 1:8\ngroup free subtract all bound\nfix body bound rigid single\n"
+                  "fix nve free nve/sphere\nneighbor 0.0002 bin\ntimestep 2e-6\nrun 200\n",
+              1e-10, "rigid", true);
+}
+
 // The lists are built anew and the spheres roll and slide; a thousand steps of
 // collisions multiply what rounding there is.
 TEST(PairGranLean, historyOverThousandSteps)
@@ -201,6 +264,23 @@ TEST(PairGranLean, contactsLastFromRunToRun)
       "read_restart gran_lean.restart\nneigh_modify delay 0\n" +
       contacts("gran") + "pair_coeff * *\n" + walls +
       "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\n" + pile + "run 100\n";
+  for (const std::string &script : {again, lean_of(again)}) {
+    Host later;
+    later(script);
+    EXPECT_LT(apart(first.atoms(), later.atoms()).v, 1e-8);
+  }
+}
+
+TEST(PairGranLean, hertzGoesOnAfterARestart)
+{
+  const std::string style = modulus + "pair_style gran model hertz tangential history\npair_coeff * *\n" + hertz_walls;
+  const std::string pile = "neighbor 0.0002 bin\nfix drag all viscous 2e-4\ntimestep 5e-6\n";
+  Host first;
+  first(lean_of(box() + style + spheres(120, 11) + pile + "run 900\nwrite_restart gran_hertz.restart\nrun 100\n"));
+  const std::string again =
+      "atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * *\n"
+      "read_restart gran_hertz.restart\nneigh_modify delay 0\n" +
+      style + "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\n" + pile + "run 100\n";
   for (const std::string &script : {again, lean_of(again)}) {
     Host later;
     later(script);

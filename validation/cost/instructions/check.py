@@ -15,6 +15,7 @@ GROWTH = 0.05
 # kernel: program, its arguments, the function that is counted with all it calls
 KERNELS = {
     "contact": ("kernel_counts", ["contact"], "clay::contactForces*"),
+    "contact_hertz": ("kernel_counts", ["contact_hertz"], "clay::contactForces*"),
     "coulomb": ("kernel_counts", ["coulomb"], "clay::ChargeGroups::act*"),
     "coulomb_single": ("kernel_counts", ["coulomb_single"], "clay::ChargeGroups::act*"),
     "overlap": ("mappingCost", ["--gtest_filter=mappingCost.onePass"],

@@ -49,27 +49,38 @@ FixWallGranLean::FixWallGranLean(LAMMPS *lmp, int narg, char **arg) :
 }
 
 /* ----------------------------------------------------------------------
-   wall/gran has read them all; what this style cannot do is refused
+   wall/gran has words of its own; a switch that is on and not known here is a model's
 ------------------------------------------------------------------------- */
+
+std::string FixWallGranLean::unfit(int narg, char **arg, clay::LeanModel &model)
+{
+  int shape = 0;
+  try {
+    for (int i = 3; i + 1 < narg; i++) {
+      if (!model.take(arg[i], arg[i + 1]) && !strcmp(arg[i + 1], "on"))
+        return std::string("it cannot do '") + arg[i] + " on'";
+      if (!strcmp(arg[i], "primitive")) shape = i + 3;
+    }
+    model.complete();
+  } catch (const std::invalid_argument &e) {
+    return e.what();
+  }
+  if (!shape) return "a primitive wall is needed";
+  const std::string name = shape < narg ? arg[shape] : "";
+  const std::string kind = name.empty() ? "" : name.substr(1);
+  if ((kind != "plane" && kind != "cylinder") || name[0] < 'x' || name[0] > 'z')
+    return "'" + name + "' is neither a plane nor a cylinder";
+  return "";
+}
+
+/* ---------------------------------------------------------------------- */
 
 void FixWallGranLean::read_model(int narg, char **arg)
 {
-  try {
-    for (int i = 3; i + 1 < narg; i++) {
-      model_.take(arg[i], arg[i + 1]);
-      for (const char *odd : {"computeElasticPotential", "computeDissipatedEnergy", "heating_tangential_history",
-                              "viscous", "disableWhenBonded"})
-        if (!strcmp(arg[i], odd) && !strcmp(arg[i + 1], "on"))
-          throw std::invalid_argument(std::string("it cannot do '") + odd + " on'");
-    }
-    model_.complete();
-    pairs_.kind = model_.kind;
-  } catch (const std::invalid_argument &e) {
-    error->all(FLERR,
-               (std::string("Fix wall/gran/lean: ") + e.what() + "; for anything else take fix wall/gran").c_str());
-  }
-  if (meshwall_ != 0)
-    error->all(FLERR, "Fix wall/gran/lean: a primitive wall is needed; for a mesh take fix wall/gran");
+  const std::string why = unfit(narg, arg, model_);
+  if (!why.empty())
+    error->all(FLERR, ("Fix wall/gran/lean: " + why + "; for anything else take fix wall/gran").c_str());
+  pairs_.kind = model_.kind;
 }
 
 /* ----------------------------------------------------------------------

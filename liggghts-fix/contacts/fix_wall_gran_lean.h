@@ -14,6 +14,7 @@ FixStyle(wall/gran/lean,FixWallGranLean)
 #ifndef LMP_FIX_WALL_GRAN_LEAN_H
 #define LMP_FIX_WALL_GRAN_LEAN_H
 
+#include <string>
 #include <vector>
 
 #include "contacts/contact_kernel.h"
@@ -26,6 +27,10 @@ namespace LAMMPS_NS {
 class FixWallGranLean : public FixWallGran {
  public:
   FixWallGranLean(class LAMMPS *, int, char **);
+
+  /// What of a fix wall/gran this one cannot do, empty when it can do all; reads the model.
+  static std::string unfit(int narg, char **arg, clay::LeanModel &model);
+
   void init();
   double compute_vector(int);
   double memory_usage();

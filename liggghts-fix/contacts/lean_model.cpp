@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #include "contacts/lean_model.h"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -24,6 +25,23 @@ bool choose(const std::map<std::string, Choice>& from, const std::string& name, 
 }
 
 }  // namespace
+
+LeanUse takeLeanUse(std::vector<char*>& words)
+{
+  LeanUse use = LeanUse::may;
+  for (std::size_t i = 0; i < words.size();) {
+    if (std::string(words[i]) != "lean") {
+      i++;
+      continue;
+    }
+    const std::string value = i + 1 < words.size() ? words[i + 1] : "";
+    const std::map<std::string, LeanUse> uses = {
+        {"yes", LeanUse::must}, {"no", LeanUse::never}, {"auto", LeanUse::may}};
+    words.erase(words.begin() + i, words.begin() + std::min(i + 2, words.size()));
+    if (!choose(uses, value, use)) throw std::invalid_argument("lean is '" + value + "'; it must be yes, no or auto");
+  }
+  return use;
+}
 
 bool LeanModel::take(const std::string& name, const std::string& value)
 {

@@ -4,13 +4,23 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "contacts/contact_kernel.h"
 
 namespace clay {
 
+/// Whether a script wants the lean loops: it must have them, may, or never.
+enum class LeanUse { must, may, never };
+
+/// Takes `lean yes|no|auto` out of a style's words; `may` without. Throws
+/// std::invalid_argument for another value.
+LeanUse takeLeanUse(std::vector<char*>& words);
+
 class LeanModel {
  public:
+  LeanModel() { kind.tangential = TangentialForce::none; }
+
   /// hooke or hertz: stiffness from Young's modulus, damping from the restitution.
   bool modulus() const { return name_ == "hooke" || name_ == "hertz"; }
   const std::string& name() const { return name_; }  ///< of the normal model

@@ -7,6 +7,7 @@
 #include "contacts/pair_gran_lean.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -25,9 +26,21 @@ using namespace LAMMPS_NS;
 
 /* ---------------------------------------------------------------------- */
 
-PairGranLean::PairGranLean(LAMMPS *lmp) :
-  PairGranProxy(lmp), flags_read_(false), margin_(0.0), sought_(false), built_(-1), inum_(0), searches_(0)
+PairGranLean::PairGranLean(LAMMPS *lmp, bool offered) :
+  PairGranProxy(lmp), offered_(offered), use_(offered ? clay::LeanUse::may : clay::LeanUse::must), flags_read_(false),
+  margin_(0.0), sought_(false), built_(-1), inum_(0), searches_(0)
 {
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairGranLean::refuse(const std::string &why) const
+{
+  error->all(FLERR,
+             (offered_ ? "Pair style gran: lean is yes, but " + why + "; take lean auto"
+                       : "Pair style gran/lean: " + why + "; for anything else take pair_style gran")
+                 .c_str());
+  abort();  // not reached
 }
 
 /* ----------------------------------------------------------------------
@@ -36,43 +49,81 @@ PairGranLean::PairGranLean(LAMMPS *lmp) :
 
 void PairGranLean::settings(int narg, char **arg)
 {
+  std::vector<char *> words(arg, arg + narg);
   model_ = clay::LeanModel();
+  odd_.clear();
   try {
-    for (int i = 0; i < narg; i += 2) {
-      const std::string word = arg[i], value = i + 1 < narg ? arg[i + 1] : "";
+    if (offered_) use_ = clay::takeLeanUse(words);
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR, (std::string("Pair style gran: ") + e.what()).c_str());
+  }
+  try {
+    for (std::size_t i = 0; i < words.size(); i += 2) {
+      const std::string word = words[i], value = i + 1 < words.size() ? words[i + 1] : "";
       if (!model_.take(word, value))
         throw std::invalid_argument("'" + word + " " + value + "' is not among what it can do");
     }
     model_.complete();
   } catch (const std::invalid_argument &e) {
-    error->all(FLERR,
-               (std::string("Pair style gran/lean: ") + e.what() + "; for anything else take pair_style gran").c_str());
+    odd_ = e.what();
   }
+  if (!odd_.empty() && use_ == clay::LeanUse::must) refuse(odd_);
   hand_back_history();
   pairs_.clear();
   pairs_.kind = model_.kind;
-  PairGranProxy::settings(narg, arg);
+  PairGranProxy::settings(static_cast<int>(words.size()), words.data());
+}
+
+/* ----------------------------------------------------------------------
+   why gran's own loop has to run, if it has
+------------------------------------------------------------------------- */
+
+std::string PairGranLean::unfit() const
+{
+  if (use_ == clay::LeanUse::never) return "the script says lean no";
+  if (!odd_.empty()) return odd_;
+  PairGranLean *self = const_cast<PairGranLean *>(this);
+  if (!self->contact_match("normal", model_.name()) || !self->contact_match("tangential", model_.tangential()))
+    return "the restart file is of another contact model";
+  if (neighbor->contactDistanceFactor != 1.0) return "contact_distance_factor must be 1";
+  if (force->newton_pair) return "newton must be off";
+  if (!atom->sphere_flag) return "the particles must be spheres";
+  for (int i = 0; i < modify->nfix; i++)
+    if (modify->fix[i]->n_history_extra())
+      return std::string("fix ") + modify->fix[i]->style + " adds to the contact history";
+  if (fix_history && !dynamic_cast<FixContactHistoryLean *>(fix_history)) return "the history of contacts is gran's";
+  return "";
+}
+
+/* ----------------------------------------------------------------------
+   which loop runs, once
+------------------------------------------------------------------------- */
+
+void PairGranLean::say()
+{
+  std::string line = "Contacts of pair gran: ";
+  if (!unfit_.empty()) line += "LIGGGHTS's own loop, as " + unfit_;
+  else if (flags_read_) line += "LIGGGHTS's own loop, as a fix or compute needs its lists";
+  else line += "the lean loop, model " + model_.name() + " tangential " + model_.tangential();
+  line += "\n";
+  if (line == said_ || comm->me) return;
+  said_ = line;
+  for (FILE *to : {screen, logfile})
+    if (to) fputs(line.c_str(), to);
 }
 
 /* ---------------------------------------------------------------------- */
 
 void PairGranLean::init_style()
 {
-  if (!contact_match("normal", model_.name()) || !contact_match("tangential", model_.tangential()))
-    error->all(FLERR, "Pair style gran/lean: the restart file is of another contact model; take pair_style gran");
-  if (neighbor->contactDistanceFactor != 1.0)
-    error->all(FLERR, "Pair style gran/lean: contact_distance_factor must be 1; for another take pair_style gran");
-  for (int i = 0; i < modify->nfix; i++)
-    if (modify->fix[i]->n_history_extra())
-      error->all(FLERR,
-                 (std::string("Pair style gran/lean: fix ") + modify->fix[i]->style +
-                  " adds to the contact history; take pair_style gran")
-                     .c_str());
+  unfit_ = unfit();
+  if (!unfit_.empty() && use_ == clay::LeanUse::must) refuse(unfit_);
   flags_read_ = modify->n_fixes_style("heat/gran") > 0 || modify->n_fixes_style("insert/stream/predefined") > 0 ||
       modify->n_fixes_style("relax_contacts") > 0 || modify->n_computes_style("contact/atom") > 0;
   hand_back_history();  // before the lists of the last run are gone
-  if (!fix_history && dnum_pair() > 0) make_history();
+  if (unfit_.empty() && !fix_history && dnum_pair() > 0) make_history();
   PairGranProxy::init_style();
+  if (offered_) say();
 }
 
 /* ----------------------------------------------------------------------
@@ -107,7 +158,7 @@ void PairGranLean::make_history()
 void PairGranLean::init_granular()
 {
   PairGranProxy::init_granular();
-  coefficients_.connect(force->registry, model_, "pair gran/lean");
+  if (unfit_.empty()) coefficients_.connect(force->registry, model_, "pair gran/lean");
 }
 
 /* ---------------------------------------------------------------------- */

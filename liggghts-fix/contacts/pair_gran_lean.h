@@ -14,6 +14,7 @@ PairStyle(gran/lean,PairGranLean)
 #ifndef LMP_PAIR_GRAN_LEAN_H
 #define LMP_PAIR_GRAN_LEAN_H
 
+#include <string>
 #include <vector>
 
 #include "contacts/contact_kernel.h"
@@ -25,7 +26,8 @@ namespace LAMMPS_NS {
 
 class PairGranLean : public PairGranProxy {
  public:
-  PairGranLean(class LAMMPS *);
+  /// offered: as pair_style gran, which runs gran's own loop where this one cannot
+  explicit PairGranLean(class LAMMPS *, bool offered = false);
 
   void settings(int, char **);
   void init_style();
@@ -39,15 +41,26 @@ class PairGranLean : public PairGranProxy {
 
   /// Pairs that are looked at each step.
   int near_pairs() const { return pairs_.size(); }
+  /// Whether the script wants this loop; of gran, by its word `lean`.
+  clay::LeanUse use() const { return use_; }
   /// Number of times these pairs were sought since the start.
   bigint searches() const { return searches_; }
 
  private:
+  [[noreturn]] void refuse(const std::string &why) const;
+  std::string unfit() const;
+  void say();
   void make_history();
   bool lean_step(int eflag, int vflag, int addflag) const;
   bool pairs_hold();
   void seek_pairs();
   clay::ContactLaw law(int i, int j) const;
+
+  bool offered_;
+  clay::LeanUse use_;
+  std::string odd_;    // what of the settings this loop cannot do
+  std::string unfit_;  // why gran's own loop runs, empty when it need not
+  std::string said_;
 
   clay::LeanModel model_;
   LeanCoefficients coefficients_;

@@ -34,8 +34,8 @@ const double MOST = 0.2;
 
 bool PairGranLean::lean_step(int eflag, int vflag, int addflag) const
 {
-  return !eflag && !vflag && !addflag && (listgranhistory || !model_.kind.history()) && atom->rmass && computeflag() &&
-      !storeContactForces() && !store_contact_forces_stress_ && !store_multicontact_data_ &&
+  return unfit_.empty() && !eflag && !vflag && !addflag && (listgranhistory || !model_.kind.history()) && atom->rmass &&
+      computeflag() && !storeContactForces() && !store_contact_forces_stress_ && !store_multicontact_data_ &&
       !store_sum_normal_force() && !flags_read_;
 }
 

@@ -14,6 +14,7 @@ TEST(LeanModel, takesModelsAndSwitches)
   EXPECT_TRUE(m.take("model", "hooke/stiffness"));
   EXPECT_NO_THROW(m.complete());
   EXPECT_EQ(m.tangential(), "off");
+  EXPECT_EQ(m.kind.tangential, clay::TangentialForce::none);
   EXPECT_TRUE(m.take("tangential", "history"));
   EXPECT_NO_THROW(m.complete());
   EXPECT_FALSE(m.modulus());
@@ -64,6 +65,23 @@ TEST(LeanModel, kindsOfLaw)
     EXPECT_EQ(m.kind.history(), e.history);
     EXPECT_EQ(m.modulus(), e.model != std::string("hertz/stiffness"));
   }
+}
+
+TEST(LeanModel, aWordSaysWhetherItIsWanted)
+{
+  const auto use = [](std::vector<std::string> text, std::vector<std::string> left) {
+    std::vector<char*> words;
+    for (std::string& t : text) words.push_back(&t[0]);
+    const clay::LeanUse u = clay::takeLeanUse(words);
+    EXPECT_EQ(std::vector<std::string>(words.begin(), words.end()), left);
+    return u;
+  };
+  EXPECT_EQ(use({"model", "hertz"}, {"model", "hertz"}), clay::LeanUse::may);
+  EXPECT_EQ(use({"model", "hertz", "lean", "yes"}, {"model", "hertz"}), clay::LeanUse::must);
+  EXPECT_EQ(use({"lean", "no", "model", "hertz"}, {"model", "hertz"}), clay::LeanUse::never);
+  EXPECT_EQ(use({"lean", "auto"}, {}), clay::LeanUse::may);
+  EXPECT_THROW(use({"lean", "on"}, {}), std::invalid_argument);
+  EXPECT_THROW(use({"lean"}, {}), std::invalid_argument);
 }
 
 TEST(LeanModel, refusesWhatItCannotDo)

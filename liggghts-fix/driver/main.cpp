@@ -81,6 +81,7 @@ int main(int argc, char **argv)
 
   LAMMPS *lammps = new LAMMPS(argc, argv, MPI_COMM_WORLD);
   register_clay_styles(lammps);
+  offer_lean_contacts(lammps);
   lammps->input->file();
   delete lammps;
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "contacts/lean_offer.h"
 #include "fix.h"
 #include "force.h"
 #include "lammps.h"
@@ -58,4 +59,12 @@ void LAMMPS_NS::register_clay_styles(LAMMPS *lmp)
 #include "driver/styles.h"
 #undef PairStyle
 #undef PAIR_CLASS
+}
+
+/* ---------------------------------------------------------------------- */
+
+void LAMMPS_NS::offer_lean_contacts(LAMMPS *lmp)
+{
+  (*fix_map(*lmp->modify))["wall/gran"] = &offer_wall_gran;
+  (*lmp->force->pair_map)["gran"] = &offer_pair_gran;
 }

@@ -10,6 +10,10 @@ class LAMMPS;
 /// them. To be called after each `new LAMMPS` and before its script is read.
 void register_clay_styles(LAMMPS *lmp);
 
+/// Makes pair_style gran and fix wall/gran take the lean loops where these can do what a
+/// script says. After register_clay_styles.
+void offer_lean_contacts(LAMMPS *lmp);
+
 }
 
 #endif

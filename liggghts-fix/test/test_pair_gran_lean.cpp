@@ -222,7 +222,7 @@ TEST(PairGranLean, bodiesOfFixRigid)
   std::string script = spheres(120, 15);
   script.erase(script.find("fix nve all nve/sphere"), 23);
   expect_same(box() + modulus + "pair_style gran model hertz tangential history\npair_coeff * *\n" + hertz_walls +
-                  script +
+                  "fix cut all wall/gran model hertz tangential history primitive type 1 zplane 0.006\n" + script +
                   "group bound id 1:8\ngroup free subtract all bound\nfix body bound rigid single\n"
                   "fix nve free nve/sphere\nneighbor 0.0002 bin\ntimestep 2e-6\nrun 200\n",
               1e-10, "rigid", true);

@@ -204,7 +204,7 @@ def mean_step(rows):
 
 def stock_clumps(text):
     """The clump columns' script in LIGGGHTS's own styles, without charges."""
-    text = re.sub(r"pair_style hybrid/overlay gran/lean (.*?) coul/clump.*", r"pair_style gran \1", text)
+    text = re.sub(r"pair_style hybrid/overlay gran/lean (.*?) coul/clump.*", r"pair_style gran \1 lean no", text)
     text = re.sub(r"pair_coeff \* \* gran/lean", "pair_coeff * *", text)
     text = re.sub(r"pair_coeff .*coul/clump.*\n", "", text)
     return "variable wall_style string wall/gran\n" + text.replace("multisphere/clump", "multisphere")

@@ -98,7 +98,7 @@ class Targets(unittest.TestCase):
             text = bench_targets.stock_clumps(f.read())
         for ours in ("gran/lean", "coul/clump", "multisphere/clump"):
             self.assertNotIn(ours, text)
-        for stock in ("pair_style gran model hooke/stiffness tangential history\n", "pair_coeff * *\n",
+        for stock in ("pair_style gran model hooke/stiffness tangential history lean no\n", "pair_coeff * *\n",
                       "fix bodies all multisphere\n"):
             self.assertIn(stock, text)
 

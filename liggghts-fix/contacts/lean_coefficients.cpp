@@ -12,6 +12,8 @@ using namespace LAMMPS_NS;
 void LeanCoefficients::connect(PropertyRegistry &registry, const clay::LeanModel &model, const char *who)
 {
   if (model.kind.tangential != clay::TangentialForce::none) registry.connect("coeffFrict", friction_, who);
+  if (model.kind.rolling != clay::RollingTorque::none) registry.connect("coeffRollFrict", rolling_, who);
+  if (model.kind.cohesion) registry.connect("cohEnergyDens", cohesion_, who);
   if (model.modulus()) {
     registry.connect("Yeff", modulus_, who);
     if (model.kind.normal == clay::NormalForce::hertz) {
@@ -54,5 +56,8 @@ clay::ContactLaw LeanCoefficients::law(const clay::LeanModel &model, int a, int 
   }
   if (!model.tangentialDamping) law.gammat = 0.0;
   if (friction_) law.friction = friction_[a][b];
+  if (rolling_) law.rolling = rolling_[a][b];
+  if (cohesion_) law.cohesion = cohesion_[a][b];
+  law.radius = radius;
   return law;
 }

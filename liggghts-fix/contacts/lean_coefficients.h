@@ -24,7 +24,8 @@ class LeanCoefficients {
  private:
   double **kn_ = nullptr, **kt_ = nullptr, **gamman_ = nullptr, **gammat_ = nullptr, **friction_ = nullptr;
   double **modulus_ = nullptr, **restitution_log_ = nullptr, speed_ = 0.0;  // of model hooke
-  double **shear_modulus_ = nullptr, **beta_ = nullptr;                     // of model hertz
+  double **rolling_ = nullptr, **cohesion_ = nullptr;
+  double **shear_modulus_ = nullptr, **beta_ = nullptr;  // of model hertz
 };
 
 }

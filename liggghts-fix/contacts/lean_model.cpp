@@ -16,6 +16,10 @@ const std::map<std::string, NormalForce> normals = {{"hooke", NormalForce::linea
 const std::map<std::string, TangentialForce> tangentials = {
     {"off", TangentialForce::none}, {"no_history", TangentialForce::damped}, {"history", TangentialForce::sprung}};
 
+const std::map<std::string, RollingTorque> rollings = {
+    {"off", RollingTorque::none}, {"cdt", RollingTorque::constant}, {"epsd2", RollingTorque::sprung}};
+const std::map<std::string, bool> cohesions = {{"off", false}, {"sjkr", true}};
+
 template <class Choice>
 bool choose(const std::map<std::string, Choice>& from, const std::string& name, Choice& to)
 {
@@ -52,13 +56,20 @@ bool LeanModel::take(const std::string& name, const std::string& value)
   } else if (name == "tangential") {
     can = choose(tangentials, value, kind.tangential);
     tangential_ = value;
-  } else if (name == "rolling_friction" || name == "cohesion") can = value == "off";
-  else if (name == "surface") can = value == "default";
+  } else if (name == "rolling_friction") {
+    can = choose(rollings, value, kind.rolling);
+    rolling_ = value;
+  } else if (name == "cohesion") {
+    can = choose(cohesions, value, kind.cohesion);
+    cohesion_ = value;
+  } else if (name == "surface") can = value == "default";
   else {
     bool* on = name == "tangential_damping" ? &tangentialDamping
         : name == "absolute_damping"        ? &absoluteDamping
         : name == "limitForce"              ? &kind.limit
         : name == "ktToKnUser"              ? &softer
+        : name == "torsionTorque"           ? &kind.torsion
+        : name == "tangential_reduce"       ? &kind.reduce
                                             : nullptr;
     if (!on) return false;
     can = value == "on" || value == "off";
@@ -69,9 +80,17 @@ bool LeanModel::take(const std::string& name, const std::string& value)
                                 "' is not among what it can do: "
                                 "model hooke|hooke/stiffness|hertz|hertz/stiffness "
                                 "tangential history|no_history|off "
+                                "cohesion sjkr|off rolling_friction cdt|epsd2|off "
                                 "[tangential_damping|limitForce on|off] [absolute_damping on|off with hooke/stiffness] "
-                                "[ktToKnUser on|off with hooke]");
+                                "[ktToKnUser on|off with hooke] [torsionTorque on|off with rolling friction] "
+                                "[tangential_reduce on|off with cohesion]");
   return true;
+}
+
+std::string LeanModel::text() const
+{
+  return "model " + name_ + " tangential " + tangential_ + (kind.cohesion ? " cohesion " + cohesion_ : "") +
+      (kind.rolling == RollingTorque::none ? "" : " rolling_friction " + rolling_);
 }
 
 void LeanModel::complete() const

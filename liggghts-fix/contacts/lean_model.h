@@ -25,6 +25,7 @@ class LeanModel {
   bool modulus() const { return name_ == "hooke" || name_ == "hertz"; }
   const std::string& name() const { return name_; }  ///< of the normal model
   const std::string& tangential() const { return tangential_; }
+  std::string text() const;  ///< the models, as a script says them
 
   bool tangentialDamping = true, absoluteDamping = false;
   bool softer = false;  ///< ktToKnUser: tangential stiffness 2/7 of the normal one
@@ -39,7 +40,7 @@ class LeanModel {
   void complete() const;
 
  private:
-  std::string name_, tangential_ = "off";
+  std::string name_, tangential_ = "off", rolling_ = "off", cohesion_ = "off";
 };
 
 }  // namespace clay

@@ -104,7 +104,7 @@ void PairGranLean::say()
   std::string line = "Contacts of pair gran: ";
   if (!unfit_.empty()) line += "LIGGGHTS's own loop, as " + unfit_;
   else if (flags_read_) line += "LIGGGHTS's own loop, as a fix or compute needs its lists";
-  else line += "the lean loop, model " + model_.name() + " tangential " + model_.tangential();
+  else line += "the lean loop, " + model_.text();
   line += "\n";
   if (line == said_ || comm->me) return;
   said_ = line;

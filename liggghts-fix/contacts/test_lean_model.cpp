@@ -67,6 +67,27 @@ TEST(LeanModel, kindsOfLaw)
   }
 }
 
+TEST(LeanModel, rollingFrictionAndCohesion)
+{
+  LeanModel m;
+  m.take("model", "hertz");
+  EXPECT_EQ(m.text(), "model hertz tangential off");
+  m.take("tangential", "history");
+  m.take("rolling_friction", "epsd2");
+  m.take("cohesion", "sjkr");
+  EXPECT_TRUE(m.kind.cohesion);
+  EXPECT_EQ(m.kind.rolling, clay::RollingTorque::sprung);
+  EXPECT_EQ(m.kind.history(), 6);
+  EXPECT_EQ(m.text(), "model hertz tangential history cohesion sjkr rolling_friction epsd2");
+  EXPECT_FALSE(m.kind.torsion || m.kind.reduce);
+  m.take("torsionTorque", "on");
+  m.take("tangential_reduce", "on");
+  EXPECT_TRUE(m.kind.torsion && m.kind.reduce);
+  m.take("rolling_friction", "cdt");
+  EXPECT_EQ(m.kind.rolling, clay::RollingTorque::constant);
+  EXPECT_EQ(m.kind.history(), 3);
+}
+
 TEST(LeanModel, aWordSaysWhetherItIsWanted)
 {
   const auto use = [](std::vector<std::string> text, std::vector<std::string> left) {
@@ -87,7 +108,7 @@ TEST(LeanModel, aWordSaysWhetherItIsWanted)
 TEST(LeanModel, refusesWhatItCannotDo)
 {
   const char* bad[][2] = {{"model", "jkr"},          {"tangential", "luding"},    {"rolling_friction", "epsd"},
-                          {"cohesion", "sjkr"},      {"surface", "superquadric"}, {"limitForce", "maybe"},
+                          {"cohesion", "sjkr2"},     {"surface", "superquadric"}, {"limitForce", "maybe"},
                           {"tangential_damping", ""}};
   for (const auto& b : bad) {
     LeanModel m;

@@ -30,6 +30,8 @@ std::string thrown(const std::string &wall, const std::string &law, const std::s
        "fix m7 all property/global poissonsRatio peratomtype 0.45 0.3\n"
        "fix m8 all property/global coefficientRestitution peratomtypepair 2 0.7 0.6 0.6 0.5\n"
        "fix m9 all property/global characteristicVelocity scalar 0.1\n"
+       "fix m10 all property/global coefficientRollingFriction peratomtypepair 2 0.2 0.1 0.1 0.05\n"
+       "fix m11 all property/global cohesionEnergyDensity peratomtypepair 2 3e3 1e4 1e4 3e4\n"
        "pair_style gran model hooke/stiffness tangential history\npair_coeff * *\n";
   std::mt19937 random(5);
   std::uniform_real_distribution<double> side(-5e-3, 5e-3), up(1e-3, 8e-3), speed(-0.4, 0.4), size(1.2e-3, 2e-3);
@@ -104,6 +106,22 @@ TEST(FixWallGranLean, takesFrictionWithoutHistory)
 {
   for (const char *law : {STIFFNESS, HERTZ})
     for (const char *friction : {"no_history", "off"}) same(law, "", friction);
+}
+
+TEST(FixWallGranLean, takesRollingFrictionAndCohesion)
+{
+  const auto few = [](const std::string &law, const std::string &more, const std::string &friction) {
+    SCOPED_TRACE(law + " " + friction + " " + more);
+    same(law, more, friction, 100, 1e-16, 1e-12, 1e-13);
+    same(law, more, friction, 1000, 1e-13, 1e-9, 1e-6);
+  };
+  for (const char *law : {HOOKE, HERTZ}) {
+    few(law, "", "history rolling_friction cdt");
+    few(law, "", "no_history rolling_friction epsd2");
+    few(law, "", "history cohesion sjkr");
+    few(law, "torsionTorque on tangential_reduce on", "history cohesion sjkr rolling_friction epsd2");
+    few(law, "torsionTorque on", "history rolling_friction cdt");
+  }
 }
 
 TEST(FixWallGranLean, keepsDisplacementsWhereStockDoes)

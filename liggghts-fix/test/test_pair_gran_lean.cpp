@@ -116,8 +116,16 @@ std::string lean_walls_of(std::string script)
 void expect_same(const std::string &script, double tolerance, const std::string &what, bool walls_too = false)
 {
   Host stock, ours;
-  stock(script);
-  ours(walls_too ? lean_walls_of(lean_of(script)) : lean_of(script));
+  const auto run = [](Host &host, const std::string &all) {
+    const std::size_t at = all.find("# spin\n");
+    host(all.substr(0, at));
+    if (at == std::string::npos) return;
+    for (int i = 0; i < host.lmp->atom->nlocal; i++)
+      for (int d = 0; d < 3; d++) host.lmp->atom->omega[i][d] = 40 * std::sin(7 * host.lmp->atom->tag[i] + 2 * d);
+    host(all.substr(at));
+  };
+  run(stock, script);
+  run(ours, walls_too ? lean_walls_of(lean_of(script)) : lean_of(script));
   ASSERT_NE(lean(ours), nullptr);
   const Apart d = apart(stock.atoms(), ours.atoms());
   EXPECT_GT(d.largest_f, 0.01) << what;
@@ -206,6 +214,31 @@ TEST(PairGranLean, hertzOfGran)
                 1e-12, "hooke " + friction);
 }
 
+// rolling friction and cohesion, each with each friction; with their switches
+TEST(PairGranLean, rollingAndCohesionOfGran)
+{
+  const std::string more = "fix rf all property/global coefficientRollingFriction peratomtypepair 2 0.2 0.1 0.1 0.05\n"
+                           "fix ce all property/global cohesionEnergyDensity peratomtypepair 2 3e3 1e4 1e4 3e4\n";
+  for (const std::string model : {"hertz", "hooke"})
+    for (const std::string friction : {"history", "no_history", "off"})
+      for (const std::string extra : {"rolling_friction cdt", "rolling_friction epsd2", "cohesion sjkr",
+                                      "cohesion sjkr rolling_friction epsd2", "rolling_friction cdt torsionTorque on",
+                                      "cohesion sjkr rolling_friction epsd2 torsionTorque on tangential_reduce on"}) {
+        const std::string law = model + " tangential " + friction + " " + extra;
+        expect_same(box() + modulus + more + "pair_style gran model " + law + "\npair_coeff * *\n" + spheres(220, 13) +
+                        "# spin\ntimestep 1e-6\nrun 20\n",
+                    1e-12, law);
+      }
+  std::string walls_too = hertz_walls;
+  for (std::size_t at = 0; (at = walls_too.find("history primitive", at)) != std::string::npos; at += 8)
+    walls_too.insert(at + 8, "cohesion sjkr rolling_friction epsd2 ");
+  expect_same(
+      box() + modulus + more +
+          "pair_style gran model hertz tangential history cohesion sjkr rolling_friction epsd2\npair_coeff * *\n" +
+          walls_too + spheres(120, 14) + "neighbor 0.0001 bin\ntimestep 5e-6\nrun 1000\n",
+      1e-8, "1000 steps", true);
+}
+
 // through many lists, rolling and sliding, at walls, some spheres frozen
 TEST(PairGranLean, hertzOverThousandSteps)
 {
@@ -271,20 +304,26 @@ TEST(PairGranLean, contactsLastFromRunToRun)
   }
 }
 
+// with the histories of sliding and of rolling friction
 TEST(PairGranLean, hertzGoesOnAfterARestart)
 {
-  const std::string style = modulus + "pair_style gran model hertz tangential history\npair_coeff * *\n" + hertz_walls;
-  const std::string pile = "neighbor 0.0002 bin\nfix drag all viscous 2e-4\ntimestep 5e-6\n";
-  Host first;
-  first(lean_of(box() + style + spheres(120, 11) + pile + "run 900\nwrite_restart gran_hertz.restart\nrun 100\n"));
-  const std::string again =
-      "atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * *\n"
-      "read_restart gran_hertz.restart\nneigh_modify delay 0\n" +
-      style + "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\n" + pile + "run 100\n";
-  for (const std::string &script : {again, lean_of(again)}) {
-    Host later;
-    later(script);
-    EXPECT_LT(apart(first.atoms(), later.atoms()).v, 1e-8);
+  const std::string rolls =
+      "fix rf all property/global coefficientRollingFriction peratomtypepair 2 0.2 0.1 0.1 0.05\n";
+  for (const std::string extra : {"", " rolling_friction epsd2"}) {
+    const std::string style =
+        modulus + rolls + "pair_style gran model hertz tangential history" + extra + "\npair_coeff * *\n" + hertz_walls;
+    const std::string pile = "neighbor 0.0002 bin\nfix drag all viscous 2e-4\ntimestep 5e-6\n";
+    Host first;
+    first(lean_of(box() + style + spheres(120, 11) + pile + "run 900\nwrite_restart gran_hertz.restart\nrun 100\n"));
+    const std::string again =
+        "atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * *\n"
+        "read_restart gran_hertz.restart\nneigh_modify delay 0\n" +
+        style + "fix nve all nve/sphere\nfix grav all gravity 9.81 vector 0 0 -1\n" + pile + "run 100\n";
+    for (const std::string &script : {again, lean_of(again)}) {
+      Host later;
+      later(script);
+      EXPECT_LT(apart(first.atoms(), later.atoms()).v, 1e-8) << extra;
+    }
   }
 }
 

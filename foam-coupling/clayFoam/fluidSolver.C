@@ -304,7 +304,9 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
     }
     const vectorField before
     (
-        quiet_->active() ? U_.primitiveField() : vectorField()
+        quiet_->active()
+          ? vectorField(U_.primitiveField())
+          : vectorField()
     );
 
     if (coupling.response().active())

@@ -47,6 +47,8 @@ fluid's: the flux through a face is s phi + a - m |S| snGrad p, s = n_f + share.
 #include "fixedFluxExtrapolatedPressureFvPatchScalarField.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
 
+#include <type_traits>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fluidSolver::prepareCorrectors
@@ -287,11 +289,16 @@ Foam::tmp<Foam::fvScalarMatrix> Foam::fluidSolver::pressure
         faces_.sum(across, sum);
         pEqn.source() -= sum;
 
-        pEqn.faceFluxCorrectionPtr() = new surfaceScalarField
+        // a plain pointer up to v2312, a unique_ptr from v2406 on
+        using pointer = std::decay_t<decltype(pEqn.faceFluxCorrectionPtr())>;
+        pEqn.faceFluxCorrectionPtr() = pointer
         (
-            IOobject("across", runTime_.timeName(), mesh_),
-            mesh_,
-            dimensionedScalar(pEqn.dimensions(), Zero)
+            new surfaceScalarField
+            (
+                IOobject("across", runTime_.timeName(), mesh_),
+                mesh_,
+                dimensionedScalar(pEqn.dimensions(), Zero)
+            )
         );
         faces_.put(across, *pEqn.faceFluxCorrectionPtr());
         pEqn.faceFluxCorrectionPtr()->setOriented();

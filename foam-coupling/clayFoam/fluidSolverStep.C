@@ -171,21 +171,15 @@ void Foam::fluidSolver::balanced
 
     // what the faces do not carry of the source stays with their cells
     vectorField unheld;
-    FixedList<scalar, 2> sizes(Zero);
-    sizes[0] = uncarriedForce(mesh_, faces_, net, onFaces, unheld);
+    scalar uncarried = uncarriedForce(mesh_, faces_, net, onFaces, unheld);
+    scalar all = 0;
     forAll(net, celli)
     {
-        sizes[1] += V[celli]*mag(net[celli]);
+        all += V[celli]*mag(net[celli]);
     }
-    reduce
-    (
-        sizes,
-        [](const FixedList<scalar, 2>& a, const FixedList<scalar, 2>& b)
-        {
-            return FixedList<scalar, 2>{a[0] + b[0], a[1] + b[1]};
-        }
-    );
-    uncarried_ = sizes[1] > VSMALL ? sizes[0]/sizes[1] : 0;
+    reduce(uncarried, sumOp<scalar>());
+    reduce(all, sumOp<scalar>());
+    uncarried_ = all > VSMALL ? uncarried/all : 0;
 
     force_.setSize(mesh_.nCells());
     vectorField& gradP = gradP_.primitiveFieldRef();
@@ -345,7 +339,9 @@ void Foam::fluidSolver::step(particleCoupling& coupling, const scalar part)
             }
             const vectorField before
             (
-                correctorTolerance_ > 0 ? U_.primitiveField() : vectorField()
+                correctorTolerance_ > 0
+              ? vectorField(U_.primitiveField())
+              : vectorField()
             );
             correctPressure(coupling, ddtN, UEqn);
             coupling.statistics().uncarried =

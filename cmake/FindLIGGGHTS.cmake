@@ -6,6 +6,19 @@ if(LIGGGHTS_LIBRARY)
   get_filename_component(_liggghts_real ${LIGGGHTS_LIBRARY} REALPATH)
   string(REGEX MATCH "[0-9]+\\.[0-9]+\\.[0-9]+$" LIGGGHTS_VERSION "${_liggghts_real}")
 endif()
+# LIGGGHTS-PFM parted from LIGGGHTS before its clumps had volume weights and added mass
+if(LIGGGHTS_INCLUDE_DIR)
+  set(_weights "")
+  if(EXISTS ${LIGGGHTS_INCLUDE_DIR}/multisphere.h)
+    file(STRINGS ${LIGGGHTS_INCLUDE_DIR}/multisphere.h _weights REGEX "volumeweight")
+  endif()
+  if("${_weights}" STREQUAL "")
+    # behind a blank CMake does not break the line
+    message(FATAL_ERROR " LIGGGHTS: LIGGGHTS_INCLUDE_DIR is ${LIGGGHTS_INCLUDE_DIR}, whose clumps have no volume weights, "
+      "as in LIGGGHTS-PFM, which is not supported: give LIGGGHTS_INCLUDE_DIR and LIGGGHTS_LIBRARY of LIGGGHTS-PUBLIC 3.8, "
+      "or install the packages liggghts and libliggghts-dev")
+  endif()
+endif()
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(LIGGGHTS
   REQUIRED_VARS LIGGGHTS_LIBRARY LIGGGHTS_INCLUDE_DIR VERSION_VAR LIGGGHTS_VERSION

@@ -1,21 +1,27 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 # Finds OpenFOAM; defines OpenFOAM::finiteVolume, OpenFOAM::turbulence.
 #
-# A sourced OpenFOAM environment (WM_PROJECT_DIR with its sources) comes first.
-# Otherwise Debian's package is used; its headers are made from the source
-# package of the same version, once, in OpenFOAM_HEADERS_DIR.
+# A sourced environment of openfoam.com's OpenFOAM (WM_PROJECT_DIR) comes first;
+# it must have headers. Without one Debian's package is used; its headers are
+# made from the source package of the same version, once, in OpenFOAM_HEADERS_DIR.
+# What is read of the environment stands in setup.sh, too.
 set(OpenFOAM_HEADERS_DIR ${PROJECT_BINARY_DIR}/openfoam CACHE PATH
     "Where the headers of a packaged OpenFOAM are kept")
+set(_first 1912)
+set(_last 2512)
 
-if(DEFINED ENV{WM_PROJECT_DIR} AND EXISTS $ENV{WM_PROJECT_DIR}/src/OpenFOAM/lnInclude)
-  set(_src $ENV{WM_PROJECT_DIR}/src)
-  set(_etc $ENV{WM_PROJECT_DIR})
-  set(_libdirs $ENV{FOAM_LIBBIN} $ENV{FOAM_LIBBIN}/$ENV{FOAM_MPI})
-  # headers and libraries of one installation
-  set(_only NO_DEFAULT_PATH)
-  set(OpenFOAM_VERSION "$ENV{WM_PROJECT_VERSION}")
-  set(_how sourced)
-else()
+# Ends with one line: a setting and its value, what it must be, and the cure
+function(_openfoam_refuse setting)
+  # behind a blank CMake does not break the line
+  message(FATAL_ERROR " OpenFOAM: ${setting}: source openfoam.com's v${_first} to v${_last}, with its headers "
+    "and in double precision, or build in a new shell without OpenFOAM's environment for Debian's package")
+endfunction()
+
+string(REGEX REPLACE "/+$" "" _dir "$ENV{WM_PROJECT_DIR}")
+# the package's own folder is no sourced environment
+execute_process(COMMAND sh -c "dpkg -L openfoam 2> /dev/null | sed -n 's,/etc/controlDict$,,p'"
+                OUTPUT_VARIABLE _packaged OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(_dir STREQUAL "" OR _dir STREQUAL _packaged)
   execute_process(COMMAND ${PROJECT_SOURCE_DIR}/cmake/openfoam-headers.sh ${OpenFOAM_HEADERS_DIR}
                   RESULT_VARIABLE _status)
   if(NOT _status EQUAL 0)
@@ -23,17 +29,51 @@ else()
   endif()
   set(_src ${OpenFOAM_HEADERS_DIR}/src)
   file(READ ${OpenFOAM_HEADERS_DIR}/version OpenFOAM_VERSION)
-  execute_process(COMMAND sh -c "dpkg -L openfoam | sed -n 's,/etc/controlDict$,,p'"
-                  OUTPUT_VARIABLE _etc OUTPUT_STRIP_TRAILING_WHITESPACE)
+  # 1912.200626-1 -> 1912
+  string(REGEX MATCH "^[0-9][0-9][0-9][0-9]" OpenFOAM_API "${OpenFOAM_VERSION}")
+  if(OpenFOAM_API STREQUAL "" OR OpenFOAM_API LESS _first OR OpenFOAM_API GREATER _last)
+    _openfoam_refuse("the package openfoam is of version ${OpenFOAM_VERSION}")
+  endif()
+  set(OpenFOAM_LABEL_SIZE 32)
+  set(_etc ${_packaged})
   set(_libdirs "")
   set(_only "")
-  set(_how installed)
-endif()
-# v1912 -> 1912, 1912.200626-1 -> 1912
-string(REGEX MATCH "[0-9][0-9][0-9][0-9]" OpenFOAM_API "${OpenFOAM_VERSION}")
-if(NOT OpenFOAM_API STREQUAL 1912)
-  message(FATAL_ERROR "OpenFOAM ${OpenFOAM_VERSION} is ${_how}; it must be v1912: "
-    "source v1912, or none to use Debian 12's package")
+  set(_cure "install the packages openfoam and libopenfoam")
+else()
+  set(OpenFOAM_VERSION "$ENV{WM_PROJECT_VERSION}")
+  if(EXISTS ${_dir}/META-INFO/api-info)
+    file(STRINGS ${_dir}/META-INFO/api-info _line REGEX "^api=")
+    string(REGEX REPLACE "^api=" "" OpenFOAM_API "${_line}")
+    set(_said "${_dir}/META-INFO/api-info says api=${OpenFOAM_API}")
+  elseif(OpenFOAM_VERSION MATCHES "^([0-9]+|[0-9]+\\.[0-9x.]+|dev)$")
+    _openfoam_refuse("WM_PROJECT_VERSION is ${OpenFOAM_VERSION}, of the OpenFOAM Foundation, which is not supported")
+  else()
+    string(REGEX REPLACE "^v" "" OpenFOAM_API "${OpenFOAM_VERSION}")
+    set(_said "WM_PROJECT_VERSION is '${OpenFOAM_VERSION}'")
+  endif()
+  if(NOT OpenFOAM_API MATCHES "^[0-9][0-9][0-9][0-9]$" OR OpenFOAM_API LESS _first OR OpenFOAM_API GREATER _last)
+    _openfoam_refuse("${_said}, which is not supported")
+  endif()
+  set(OpenFOAM_VERSION "v${OpenFOAM_API}")
+  if(NOT EXISTS ${_dir}/src/OpenFOAM/lnInclude)
+    _openfoam_refuse("WM_PROJECT_DIR is ${_dir}, which holds no headers (src/OpenFOAM/lnInclude)")
+  endif()
+  set(_precision "$ENV{WM_PRECISION_OPTION}")
+  if(NOT _precision MATCHES "^(DP)?$")
+    _openfoam_refuse("WM_PRECISION_OPTION is ${_precision}; it must be DP")
+  endif()
+  set(OpenFOAM_LABEL_SIZE "$ENV{WM_LABEL_SIZE}")
+  if(OpenFOAM_LABEL_SIZE STREQUAL "")
+    set(OpenFOAM_LABEL_SIZE 32)
+  elseif(NOT OpenFOAM_LABEL_SIZE MATCHES "^(32|64)$")
+    _openfoam_refuse("WM_LABEL_SIZE is ${OpenFOAM_LABEL_SIZE}; it must be 32 or 64")
+  endif()
+  set(_src ${_dir}/src)
+  set(_etc ${_dir})
+  set(_libdirs $ENV{FOAM_LIBBIN} $ENV{FOAM_LIBBIN}/$ENV{FOAM_MPI})
+  # headers and libraries of one installation
+  set(_only NO_DEFAULT_PATH)
+  set(_cure "FOAM_LIBBIN is '$ENV{FOAM_LIBBIN}' and FOAM_MPI '$ENV{FOAM_MPI}': compile the sourced OpenFOAM or install its libraries")
 endif()
 
 set(_need OpenFOAM finiteVolume meshTools incompressibleTransportModels
@@ -50,14 +90,14 @@ find_library(OpenFOAM_Pstream_LIBRARY Pstream HINTS ${_libdirs} PATH_SUFFIXES op
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(OpenFOAM
   REQUIRED_VARS ${_found} OpenFOAM_Pstream_LIBRARY _src OpenFOAM_API
-  REASON_FAILURE_MESSAGE "install the packages openfoam and libopenfoam")
+  REASON_FAILURE_MESSAGE "${_cure}")
 
 if(OpenFOAM_FOUND AND NOT TARGET OpenFOAM::finiteVolume)
   set(OpenFOAM_PROJECT_DIR ${_etc})
 
   add_library(OpenFOAM::finiteVolume INTERFACE IMPORTED)
   target_compile_definitions(OpenFOAM::finiteVolume INTERFACE
-    OPENFOAM=${OpenFOAM_API} WM_DP WM_LABEL_SIZE=32 NoRepository
+    OPENFOAM=${OpenFOAM_API} WM_DP WM_LABEL_SIZE=${OpenFOAM_LABEL_SIZE} NoRepository
     CLAYFOAM_OPENFOAM_DIR="${OpenFOAM_PROJECT_DIR}")
   # OpenFOAM's field loops promise the compiler that result and operands do not
   # overlap (__restrict__), and break the promise where a temporary operand is

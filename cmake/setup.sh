@@ -16,11 +16,13 @@ if [ "${1:-}" = --programs ]; then
 fi
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 stamp="$top/build/.ready"
-flavour=${WM_PROJECT_DIR:-packaged}
-# the package's own folder is no sourced environment
-if [ "$flavour" != packaged ] && dpkg -L openfoam 2> /dev/null |
-        grep -Fx "${flavour%/}/etc/controlDict" > /dev/null; then
-    flavour=packaged
+# The OpenFOAM that FindOpenFOAM.cmake will take: all that it reads of a sourced
+# environment; the package's own folder is none
+flavour=packaged
+foam=${WM_PROJECT_DIR:-}
+while [ "${foam%/}" != "$foam" ]; do foam=${foam%/}; done
+if [ -n "$foam" ] && ! dpkg -L openfoam 2> /dev/null | grep -Fx "$foam/etc/controlDict" > /dev/null; then
+    flavour="$foam ${WM_PROJECT_VERSION:-} ${WM_PRECISION_OPTION:-} ${WM_LABEL_SIZE:-} ${FOAM_LIBBIN:-} ${FOAM_MPI:-}"
 fi
 inputs=("$top/CMakeLists.txt" "$top/CMakePresets.json" "$top/cmake"
         "$top/exchange" "$top/liggghts-fix" "$top/foam-coupling")
@@ -72,6 +74,7 @@ fi
 # or CMake's own words for its error; else make's.
 complaint() {
     awk '/^openfoam-headers: (fetching|done)/ { next }
+         told && /^Call Stack/ { exit }
          told && NF { $1 = $1; text = text (text == "" ? "" : " ") $0; next }
          told && text != "" { exit }
          /^openfoam-headers: |Cannot exec|^ *Could NOT find|error:/ { text = $0; exit }

@@ -13,9 +13,11 @@ from cases.lib.case.casefile import TOP
 _STAND_INS = {
     "cmake": """#!/bin/sh
 echo "$@" >> "$NOTES/cmake"
+[ ! -f "$NOTES/error" ] || { cat "$NOTES/error"; exit 1; }
 mkdir -p build/bin && touch build/CMakeCache.txt
 for p in liggghts-clay clayFoam; do echo > build/bin/$p && chmod +x build/bin/$p; done
 """,
+    "dpkg": "#!/bin/sh\necho /usr/share/packaged/etc/controlDict\n",
     "dpkg-query": '#!/bin/sh\nfor last; do :; done\necho "$last" >> "$NOTES/packages"\necho installed\n',
 }
 
@@ -36,7 +38,8 @@ class Project:
             (top / "bin" / name).write_text(text)
             (top / "bin" / name).chmod(0o755)
         self.env = {**os.environ, "PATH": f"{top / 'bin'}:{os.environ['PATH']}", "NOTES": str(self.notes)}
-        self.env.pop("WM_PROJECT_DIR", None)
+        for name in [n for n in self.env if n.startswith(("WM_", "FOAM_"))]:
+            self.env.pop(name)
 
     def setup(self, *words):
         """What cmake and dpkg-query were called with, a line each; none when there was nothing to do."""
@@ -88,8 +91,25 @@ def test_a_newer_source_is_built(project):
 
 def test_another_openfoam_is_built_anew(project):
     project.setup()
-    project.env["WM_PROJECT_DIR"] = "/opt/another/OpenFOAM"
-    assert project.setup()[0]
+    cache = project.top / "build" / "CMakeCache.txt"
+    for name, value in (("WM_PROJECT_DIR", "/opt/another/OpenFOAM"), ("WM_PROJECT_VERSION", "v2312"),
+                        ("WM_LABEL_SIZE", "64"), ("WM_PRECISION_OPTION", "DP"), ("FOAM_LIBBIN", "/opt/lib"),
+                        ("FOAM_MPI", "mpi")):
+        project.env[name] = value
+        cache.write_text("of another OpenFOAM")
+        assert project.setup()[0], name
+        assert cache.read_text() == "", name  # the stand-in for cmake leaves what is there
+        assert project.setup() == [[], []], name
+
+
+def test_the_package_s_own_folder_is_no_other_openfoam(project):
+    packages = project.setup()[1]
+    assert "openfoam" in packages
+    for folder in ("/usr/share/packaged", "/usr/share/packaged/"):
+        project.env["WM_PROJECT_DIR"] = folder
+        assert project.setup() == [[], []]
+    project.env["WM_PROJECT_DIR"] = "/usr/share"
+    assert "openfoam" not in project.setup()[1]
 
 
 def test_a_folder_that_was_moved_is_configured_anew(project):
@@ -105,3 +125,17 @@ def test_a_folder_that_was_moved_is_configured_anew(project):
         # the stand-in for cmake leaves what is there
         assert (cache.read_text() != "", (project.top / "build" / "CMakeFiles").is_dir()) == (there, there)
         os.utime(source, (stamp - 5, stamp - 5))
+
+
+@pytest.mark.parametrize("text, said", [
+    ("CMake Error at a.cmake:1 (message):\n   a setting: a cure\nCall Stack (most recent first):\n  b.txt:2 (c)\n\n",
+     "a setting: a cure"),
+    ("-- well\nCMake Error at a.cmake:1 (message):\n  a setting:\n  a cure\n\n\n-- Configuring incomplete\n",
+     "a setting: a cure"),
+    ("one.cpp:3:1: error: no such thing\nmake: *** [one] Error 1\n", "one.cpp:3:1: error: no such thing")])
+def test_a_build_that_fails_ends_with_its_complaint(project, text, said):
+    (project.notes / "error").write_text(text)
+    done = subprocess.run([project.top / "cmake" / "setup.sh"], env=project.env, check=False, text=True,
+                          capture_output=True)
+    assert done.returncode == 1
+    assert done.stderr == f"setup: the build failed: {said} (log in build/setup.log)\n"

@@ -7,8 +7,6 @@
 
 namespace clay {
 
-constexpr int CONTACT_BLOCK = 64;
-
 /// Of i against j: distance and velocity; the spin of both; then the force on i and the
 /// torques on both, and what rolling friction needs to know of the contact.
 struct ContactBlock {

@@ -14,44 +14,61 @@
 
 namespace clay {
 
-void ContactPairs::clear() { resize(0); }
-
-void ContactPairs::resize(int n)
+bool ContactLaw::operator==(const ContactLaw &o) const
 {
-  i.resize(n);
-  j.resize(n);
-  for (auto *v : {&ri, &rj, &kn, &kt, &gamman, &gammat, &friction, &softness, &touched}) v->resize(n);
-  if (kind.shears())
-    for (auto *v : {&sx, &sy, &sz}) v->resize(n);
-  if (kind.rolling != RollingTorque::none)
-    for (auto *v : {&reach, &rolling}) v->resize(n);
-  if (kind.rolling == RollingTorque::sprung)
-    for (auto *v : {&qx, &qy, &qz}) v->resize(n);
-  if (kind.cohesion) cohesion.resize(n);
+  return kn == o.kn && kt == o.kt && gamman == o.gamman && gammat == o.gammat && friction == o.friction &&
+      rolling == o.rolling && radius == o.radius && cohesion == o.cohesion;
+}
+
+void ContactPairs::clear()
+{
+  i.clear();
+  j.clear();
+  for (auto *v : {&ri, &rj, &kn, &kt, &gamman, &gammat, &friction, &softness, &reach, &rolling, &cohesion, &sx, &sy,
+                  &sz, &qx, &qy, &qz, &touched})
+    v->clear();
+  alike_ = true;
+}
+
+void ContactPairs::putLaw(double ra, double rb, const ContactLaw &law, int times)
+{
+  const auto put = [times](std::vector<double> &v, double value) { v.insert(v.end(), times, value); };
+  put(ri, ra);
+  put(rj, rb);
+  put(kn, law.kn);
+  put(kt, law.kt);
+  put(gamman, law.gamman);
+  put(gammat, law.gammat);
+  put(friction, law.friction);
+  put(softness, 1 / law.kt);
+  if (kind.rolling != RollingTorque::none) {
+    put(reach, law.radius);
+    put(rolling, law.rolling);
+  }
+  if (kind.cohesion) put(cohesion, law.cohesion);
 }
 
 void ContactPairs::add(int a, int b, double ra, double rb, const ContactLaw &law, const double *history, bool t)
 {
+  if (i.empty()) {
+    first_[0] = ra;
+    first_[1] = rb;
+    law_ = law;
+    putLaw(ra, rb, law, CONTACT_BLOCK);
+  } else if (alike_ && (ra != first_[0] || rb != first_[1] || !(law == law_))) {
+    alike_ = false;
+    for (auto *v : {&ri, &rj, &kn, &kt, &gamman, &gammat, &friction, &softness, &reach, &rolling, &cohesion})
+      v->clear();
+    putLaw(first_[0], first_[1], law_, size());
+  }
+  if (!alike_) putLaw(ra, rb, law, 1);
   i.push_back(a);
   j.push_back(b);
-  ri.push_back(ra);
-  rj.push_back(rb);
-  kn.push_back(law.kn);
-  kt.push_back(law.kt);
-  gamman.push_back(law.gamman);
-  gammat.push_back(law.gammat);
-  friction.push_back(law.friction);
-  softness.push_back(1 / law.kt);
   touched.push_back(t ? 1 : 0);
   if (kind.shears())
     for (auto *v : {&sx, &sy, &sz}) v->push_back(*history++);
-  if (kind.rolling != RollingTorque::none) {
-    reach.push_back(law.radius);
-    rolling.push_back(law.rolling);
-  }
   if (kind.rolling == RollingTorque::sprung)
     for (auto *v : {&qx, &qy, &qz}) v->push_back(*history++);
-  if (kind.cohesion) cohesion.push_back(law.cohesion);
 }
 
 void ContactPairs::tell(int k, double *history) const
@@ -206,10 +223,11 @@ int scatterAtWall(const Block &b, const ContactSpheres &s, const Slice &p, doubl
 Slice slice(ContactPairs &p, int k)
 {
   const auto from = [k](std::vector<double> &v) { return v.empty() ? nullptr : &v[k]; };
-  Slice s = {&p.i[k],       &p.j[k],         &p.ri[k],         &p.rj[k],       &p.kn[k],
-             &p.kt[k],      &p.gamman[k],    &p.gammat[k],     &p.friction[k], &p.softness[k],
-             from(p.reach), from(p.rolling), from(p.cohesion), from(p.sx),     from(p.sy),
-             from(p.sz),    from(p.qx),      from(p.qy),       from(p.qz),     &p.touched[k]};
+  const auto law = [at = p.alike() ? 0 : k](const std::vector<double> &v) { return v.empty() ? nullptr : &v[at]; };
+  Slice s = {&p.i[k],      &p.j[k],        law(p.ri),       law(p.rj),       law(p.kn),
+             law(p.kt),    law(p.gamman),  law(p.gammat),   law(p.friction), law(p.softness),
+             law(p.reach), law(p.rolling), law(p.cohesion), from(p.sx),      from(p.sy),
+             from(p.sz),   from(p.qx),     from(p.qy),      from(p.qz),      &p.touched[k]};
   if (!s.cohesion) s.cohesion = nothing;
   return s;
 }

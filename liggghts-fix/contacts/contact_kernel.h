@@ -42,6 +42,8 @@ struct ContactLaw {
   double rolling = 0;             ///< coefficient of rolling friction [1]
   double radius = 0;              ///< effective radius, of rolling friction [m]
   double cohesion = 0;            ///< energy density [J/m3]
+
+  bool operator==(const ContactLaw &) const;
 };
 
 /// Model hooke: for an effective radius [m] and mass [kg], a modulus Y [Pa] and a speed v [m/s]
@@ -54,6 +56,9 @@ ContactLaw hookeLaw(double radius, double mass, double modulus, double speed, do
 /// damping -2 sqrt(5/6) b sqrt(k m) with k = 2 Y sqrt(R d), tangential with k = kt.
 ContactLaw hertzLaw(double radius, double mass, double modulus, double shear_modulus, double beta);
 
+/// So many pairs are computed together.
+constexpr int CONTACT_BLOCK = 64;
+
 /// Spheres, three numbers each.
 struct ContactSpheres {
   const double *x, *v, *omega;  ///< positions [m], velocities [m/s], angular velocities [1/s]
@@ -61,26 +66,33 @@ struct ContactSpheres {
   int owned;                    ///< only the first so many get forces
 };
 
-/// Pairs of spheres that touch or may touch soon, one array a quantity.
+/// Pairs of spheres that touch or may touch soon, one array a quantity. While all have the
+/// same radii and law, the arrays of these hold one block's numbers, for any pairs.
 struct ContactPairs {
   std::vector<int> i, j;
   std::vector<double> ri, rj;                                      ///< radii [m]
   std::vector<double> kn, kt, gamman, gammat, friction, softness;  ///< as in ContactLaw; 1/kt
+  std::vector<double> reach, rolling, cohesion;                    ///< ContactLaw's radius, rolling, cohesion
   std::vector<double> sx, sy, sz;                                  ///< tangential displacement of i over j [m]
-  std::vector<double> touched;                                     ///< 1 for a pair that has touched, or else 0
-  std::vector<double> reach, rolling;                              ///< ContactLaw's radius and rolling
   std::vector<double> qx, qy, qz;                                  ///< rolling torque of the spring [N m]
-  std::vector<double> cohesion;
+  std::vector<double> touched;                                     ///< 1 for a pair that has touched, or else 0
 
   ContactKind kind;  ///< of all; to be set while there are no pairs
 
   int size() const { return static_cast<int>(i.size()); }
+  bool alike() const { return alike_; }
   void clear();
   /// history: kind.history() numbers
   void add(int i, int j, double ri, double rj, const ContactLaw &law, const double *history, bool touched);
-  void resize(int n);  ///< keeps the first n
   /// The history of pair k, kind.history() numbers.
   void tell(int k, double *history) const;
+
+ private:
+  void putLaw(double ri, double rj, const ContactLaw &law, int times);
+
+  bool alike_ = true;
+  double first_[2] = {0, 0};  // radii and law of the first pair
+  ContactLaw law_;
 };
 
 /// Adds the contact forces to those of the spheres. Normal force

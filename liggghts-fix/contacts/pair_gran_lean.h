@@ -54,7 +54,7 @@ class PairGranLean : public PairGranProxy {
   bool lean_step(int eflag, int vflag, int addflag) const;
   bool pairs_hold();
   void seek_pairs();
-  clay::ContactLaw law(int i, int j) const;
+  const clay::ContactLaw &law(int i, int j);
 
   bool offered_;
   clay::LeanUse use_;
@@ -65,6 +65,11 @@ class PairGranLean : public PairGranProxy {
   clay::LeanModel model_;
   LeanCoefficients coefficients_;
   bool flags_read_;  // somebody reads from the lists which pairs touch
+
+  // the last law, and of which types, radii and mass
+  clay::ContactLaw law_;
+  int law_types_[2];
+  double law_sizes_[3];
 
   clay::ContactPairs pairs_;
   std::vector<double *> kept_;                            // where gran keeps each pair's displacement

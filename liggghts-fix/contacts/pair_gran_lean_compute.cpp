@@ -39,9 +39,11 @@ bool PairGranLean::lean_step(int eflag, int vflag, int addflag) const
       !store_sum_normal_force() && !flags_read_;
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   kept, as in most beds the next pair has the same
+------------------------------------------------------------------------- */
 
-clay::ContactLaw PairGranLean::law(int i, int j) const
+const clay::ContactLaw &PairGranLean::law(int i, int j)
 {
   const int a = atom->type[i], b = atom->type[j];
   double mi = atom->rmass[i], mj = atom->rmass[j];
@@ -55,7 +57,16 @@ clay::ContactLaw PairGranLean::law(int i, int j) const
   if (atom->mask[j] & freeze_group_bit()) moving = mi;
 
   const double ri = atom->radius[i], rj = atom->radius[j];
-  return coefficients_.law(model_, a, b, ri * rj / (ri + rj), moving, force->nktv2p);
+  if (a != law_types_[0] || b != law_types_[1] || ri != law_sizes_[0] || rj != law_sizes_[1] ||
+      moving != law_sizes_[2]) {
+    law_ = coefficients_.law(model_, a, b, ri * rj / (ri + rj), moving, force->nktv2p);
+    law_types_[0] = a;
+    law_types_[1] = b;
+    law_sizes_[0] = ri;
+    law_sizes_[1] = rj;
+    law_sizes_[2] = moving;
+  }
+  return law_;
 }
 
 /* ----------------------------------------------------------------------
@@ -95,6 +106,7 @@ void PairGranLean::seek_pairs()
   margin_ = std::min(neighbor->skin,
                      std::min(MOST * largest, std::max(LEAST * largest, 2.0 * STEPS * update->dt * sqrt(fastest2))));
 
+  law_types_[0] = law_types_[1] = 0;  // coefficients may have changed
   pairs_.clear();
   kept_.clear();
   flag_.clear();

@@ -326,6 +326,48 @@ TEST(ContactKernel, hertzByItsFormula)
   EXPECT_NEAR(law.gammat, -2 * std::sqrt(5.0 / 6) * beta * std::sqrt(8 * G * std::sqrt(R) * m), 1e-12 * law.gammat);
 }
 
+// pairs of one law are kept without it; one more of another law, out of reach, changes nothing
+TEST(ContactKernel, pairsOfOneLaw)
+{
+  for (ContactKind kind : kinds()) {
+    Scene all[2];
+    for (bool other : {false, true}) {
+      Scene &s = all[other] = scene(40, 5, kind);
+      const ContactPairs laws = s.pairs;
+      s.pairs.clear();
+      const ContactLaw law = {3000, 2000, 0.2, 0.1, 0.3, 0.1, 4e-4, 1e5};
+      double history[6];
+      for (int k = 0; k < laws.size(); ++k) {
+        laws.tell(k, history);
+        s.pairs.add(laws.i[k], laws.j[k], 9e-4, 8e-4, law, history, false);
+      }
+      EXPECT_TRUE(s.pairs.alike());
+      if (other) {
+        s.x.insert(s.x.end(), {1, 1, 1, 2, 2, 2});
+        for (auto *v : {&s.v, &s.omega, &s.f, &s.torque}) v->resize(s.x.size());
+        ContactLaw weak = law;
+        weak.cohesion = 0;
+        s.pairs.add(40, 41, 9e-4, 8e-4, weak, history, false);
+        EXPECT_FALSE(s.pairs.alike());
+      }
+      s.forces(1e-5, true, 40);
+    }
+    double most = 0;
+    for (int c = 0; c < 120; ++c) {
+      EXPECT_EQ(all[0].f[c], all[1].f[c]);
+      EXPECT_EQ(all[0].torque[c], all[1].torque[c]);
+      most = std::max(most, std::abs(all[0].f[c]));
+    }
+    EXPECT_GT(most, 0.1);
+    double one[6], two[6];
+    for (int k = 0; k < all[0].pairs.size(); ++k) {
+      all[0].pairs.tell(k, one);
+      all[1].pairs.tell(k, two);
+      for (int d = 0; d < kind.history(); ++d) EXPECT_EQ(one[d], two[d]);
+    }
+  }
+}
+
 // forces are added to, and what has touched before counts as touched
 TEST(ContactKernel, whatIsThereStays)
 {

@@ -214,6 +214,17 @@ TEST(PairGranLean, hertzOfGran)
                 1e-12, "hooke " + friction);
 }
 
+// of one size, or of one size and mass: what differs is the mass, or the types alone
+TEST(PairGranLean, spheresOfOneSize)
+{
+  for (const std::string model : {"hertz", "hooke"})
+    for (const std::string mass : {"", "group heavy id 1:110\nset group heavy density 5000\n"})
+      expect_same(box() + modulus + "pair_style gran model " + model + " tangential history\npair_coeff * *\n" +
+                      spheres(220, 13) + "set group all diameter 1.6e-3 density 2600\n" + mass +
+                      "timestep 1e-6\nrun 20\n",
+                  1e-12, model + " " + mass);
+}
+
 // rolling friction and cohesion, each with each friction; with their switches
 TEST(PairGranLean, rollingAndCohesionOfGran)
 {

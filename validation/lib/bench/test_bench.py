@@ -11,6 +11,7 @@ import numpy as np
 
 from cases.lib.case import casefile
 from validation.lib.bench import bench_curve, bench_main, bench_plan, bench_run, bench_skips, bench_targets
+from validation.lib.checks.verdicts import Broken
 
 
 def line(slope, offset=0.0, end=2.0, n=21):
@@ -101,6 +102,16 @@ class Targets(unittest.TestCase):
         for stock in ("pair_style gran model hooke/stiffness tangential history lean no\n", "pair_coeff * *\n",
                       "fix bodies all multisphere\n"):
             self.assertIn(stock, text)
+
+    def test_other_laws_of_contact(self):
+        with open(os.path.join(casefile.CASES, "column1890", "in.liggghts"), encoding="utf-8") as f:
+            text = f.read()
+        for stock, word in ((True, "lean no"), (False, "lean yes")):
+            changed = bench_targets.contacts_by(text, "hertz tangential history", stock)
+            self.assertIn('variable wall_law string "hertz tangential history"', changed)
+            self.assertIn("pair_style gran model hertz tangential history " + word + "\n", changed)
+        with self.assertRaises(Broken):
+            bench_targets.contacts_by("run 1", "hertz", True)
 
     def test_what_is_missing_is_not_met(self):
         def fast(_):

@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a kernel once, for callgrind to count its instructions
-// (validation/cost/instructions): kernel_counts contact|contact_hertz|coulomb|coulomb_single|packing
+// (validation/cost/instructions): kernel_counts
+// contact|contact_hertz|coulomb|coulomb_single|screened|screened_single|packing
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -16,9 +17,12 @@ int main(int argc, char **argv)
     std::printf("pairs %d\n", scene.pairs.size());
     return std::isfinite(scene.f[0]) ? 0 : 1;
   }
-  if (which == "coulomb" || which == "coulomb_single") {
+  const bool single = which == "coulomb_single" || which == "screened_single";
+  const bool screened = which == "screened" || which == "screened_single";
+  if (which == "coulomb" || screened || single) {
     clay::CoulombScene scene(4);
-    scene.groups.single = which == "coulomb_single";
+    scene.groups.single = single;
+    if (screened) scene.law.debye = 2e-3;
     scene.step();
     std::printf("spheres %zu\n", scene.groups.x.size());
     return std::isfinite(scene.groups.wrenches[0].f[0]) ? 0 : 1;
@@ -30,6 +34,8 @@ int main(int argc, char **argv)
     std::printf("doubles %zu\n", scene.message.size());
     return scene.message.size() == 2000 * 8 + 2 ? 0 : 1;
   }
-  std::fprintf(stderr, "kernel_counts: choose contact, contact_hertz, coulomb, coulomb_single or packing\n");
+  std::fprintf(stderr,
+               "kernel_counts: choose contact, contact_hertz, coulomb, coulomb_single, "
+               "screened, screened_single or packing\n");
   return 1;
 }

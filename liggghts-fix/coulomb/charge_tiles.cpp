@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "simd/clones.h"
+#include "simd/exp.h"
 #include "simd/inv_sqrt.h"
 
 namespace clay {
@@ -102,7 +103,7 @@ struct Rows {
 // A row is a sphere of the first group, which meets a register of the second at once.
 // Only the forces on the second are kept, lane by lane: those on the first are the
 // opposite, with the same lever.
-template <class Real, int BYTES>
+template <class Real, int BYTES, bool SCREENED>
 CLAY_INLINE void actOn(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups,
                        ChargeTiles<Real>& c, std::vector<Wrench>& wrenches)
 {
@@ -111,6 +112,7 @@ CLAY_INLINE void actOn(const PairsInReach& pairs, const TileLaw& law, const std:
   constexpr int N = ChargeTiles<Real>::LANES, PART = Pack<Real, BYTES>::SIZE;
   const Numbers zero = {};
   const Real shift = static_cast<Real>(law.shift), least = leastOf(Real());
+  const Real decay = static_cast<Real>(law.decay);
   const double length = 1 / law.cutoff;
   Rows<Real> row;
 
@@ -146,7 +148,13 @@ CLAY_INLINE void actOn(const PairsInReach& pairs, const TileLaw& law, const std:
               const Numbers r2 = ex * ex + (ey * ey + (ez * ez + least));
               Numbers inv;
               invSqrt<BYTES>(r2, inv);
-              const Numbers uncut = (inv * inv - shift) * (inv * one.q[i]);
+              Numbers slope = inv * inv;
+              if (SCREENED) {
+                Numbers screening;
+                expOf<BYTES>(-decay * (r2 * inv), screening);
+                slope = screening * (inv * (inv + decay));
+              }
+              const Numbers uncut = (slope - shift) * (inv * one.q[i]);
               const Numbers w = r2 < Real(1) ? uncut : zero;
               fx += w * ex;
               fy += w * ey;
@@ -213,20 +221,27 @@ CLAY_INLINE void addUp(const TileLaw& law, const std::vector<ChargeGroup>& group
   }
 }
 
-template <int BYTES, class Real>
+template <int BYTES, bool SCREENED, class Real>
 CLAY_INLINE void allOf(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
                        ChargeTiles<Real>& c, std::vector<Wrench>& wrenches, Forces f)
 {
   place(groups, law, x, c);
-  actOn<Real, BYTES>(pairs, law, groups, c, wrenches);
+  actOn<Real, BYTES, SCREENED>(pairs, law, groups, c, wrenches);
   addUp(law, groups, c, wrenches, f);
 }
 
+// a function for each law: what one needs takes no register from the other
 #define CLAY_TILES(GENERATION, BYTES, REAL)                                                                            \
   GENERATION static void tiles(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups,  \
                                Places x, ChargeTiles<REAL>& c, std::vector<Wrench>& wrenches, Forces f)                \
   {                                                                                                                    \
-    allOf<BYTES>(pairs, law, groups, x, c, wrenches, f);                                                               \
+    allOf<BYTES, false>(pairs, law, groups, x, c, wrenches, f);                                                        \
+  }                                                                                                                    \
+  GENERATION static void screened(const PairsInReach& pairs, const TileLaw& law,                                       \
+                                  const std::vector<ChargeGroup>& groups, Places x, ChargeTiles<REAL>& c,              \
+                                  std::vector<Wrench>& wrenches, Forces f)                                             \
+  {                                                                                                                    \
+    allOf<BYTES, true>(pairs, law, groups, x, c, wrenches, f);                                                         \
   }
 #ifdef CLAY_GENERATIONS
 CLAY_TILES(CLAY_FOR_WIDEST, 64, float)
@@ -245,13 +260,15 @@ CLAY_TILES(CLAY_CLONES, CLAY_BYTES, double)
 void act(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
          ChargeTiles<float>& c, std::vector<Wrench>& wrenches, Forces f)
 {
-  tiles(pairs, law, groups, x, c, wrenches, f);
+  if (law.decay > 0) screened(pairs, law, groups, x, c, wrenches, f);
+  else tiles(pairs, law, groups, x, c, wrenches, f);
 }
 
 void act(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
          ChargeTiles<double>& c, std::vector<Wrench>& wrenches, Forces f)
 {
-  tiles(pairs, law, groups, x, c, wrenches, f);
+  if (law.decay > 0) screened(pairs, law, groups, x, c, wrenches, f);
+  else tiles(pairs, law, groups, x, c, wrenches, f);
 }
 
 }  // namespace clay

@@ -29,10 +29,12 @@ struct Wrench {
   double f[3], t[3];
 };
 
-/// F = q q (1/r2 - shift) for r < 1, in units of the cut-off, the largest charge, and `force` [N].
+/// F = q q (exp(-decay r) (1/r2 + decay/r) - shift) for r < 1, in units of the cut-off, the largest
+/// charge, and `force` [N]; without decay that is q q (1/r2 - shift).
 struct TileLaw {
   double cutoff;  ///< [m]
   double shift, force;
+  double decay;  ///< cut-off over Debye length
 };
 
 /// Lists of x, y, z of all spheres.

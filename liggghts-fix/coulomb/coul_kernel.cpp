@@ -11,13 +11,13 @@ namespace clay {
 double CoulombLaw::forceOverDistance(double qq, double r) const
 {
   if (r >= cutoff) return 0;
-  return k * qq * (1 / (r * r) - (shifted ? 1 / (cutoff * cutoff) : 0)) / r;
+  return k * qq * (slope(r) - (shifted ? slope(cutoff) : 0)) / r;
 }
 
 double CoulombLaw::energy(double qq, double r) const
 {
   if (r >= cutoff) return 0;
-  return k * qq * (1 / r - 1 / cutoff + (shifted ? (r - cutoff) / (cutoff * cutoff) : 0));
+  return k * qq * (screening(r) / r - screening(cutoff) / cutoff + (shifted ? (r - cutoff) * slope(cutoff) : 0));
 }
 
 // ---- spheres and groups
@@ -154,7 +154,9 @@ void ChargeGroups::act(const CoulombLaw& law)
   for (auto* f : {&fx, &fy, &fz}) f->resize(x.size());
   if (!listHolds(skin)) list(law.cutoff + skin);
 
-  const TileLaw scaled = {law.cutoff, law.shifted ? 1.0 : 0.0, law.k * largest_ * largest_ / (law.cutoff * law.cutoff)};
+  const double decay = law.debye > 0 ? law.cutoff / law.debye : 0;
+  const double shift = law.shifted ? std::exp(-decay) * (1 + decay) : 0;
+  const TileLaw scaled = {law.cutoff, shift, law.k * largest_ * largest_ / (law.cutoff * law.cutoff), decay};
   const Places at = {x.data(), y.data(), z.data()};
   const Forces f = {fx.data(), fy.data(), fz.data()};
   if (single) clay::act(pairs_, scaled, groups, at, floats_, wrenches, f);

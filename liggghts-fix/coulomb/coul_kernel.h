@@ -12,16 +12,23 @@
 namespace clay {
 
 /// F = k q_i q_j / r2 for r < cutoff; shifted: F = k q_i q_j (1/r2 - 1/cutoff2).
-/// Either follows from a potential that is zero at the cut-off.
+/// Screened with Debye length L: F = k q_i q_j exp(-r/L) (1/r2 + 1/(L r)), and shifted
+/// by its own value at the cut-off. Each follows from a potential that is zero there.
 struct CoulombLaw {
   double k = 8.9875517873681764e9;  ///< 1/(4 pi eps0 eps_r) [N m2/C2]
   double cutoff = 0;                ///< [m]
   bool shifted = false;
+  double debye = 0;  ///< Debye length [m]; 0: not screened
 
   /// Force over distance for two charges a distance r apart [N/m].
   double forceOverDistance(double qq, double r) const;
   /// Their energy [J].
   double energy(double qq, double r) const;
+
+ private:
+  double screening(double r) const { return debye > 0 ? std::exp(-r / debye) : 1; }
+  /// Force of two unit charges over k, uncut [1/m2].
+  double slope(double r) const { return screening(r) * (1 / (r * r) + (debye > 0 ? 1 / (debye * r) : 0)); }
 };
 
 /// Charged spheres in order of their groups, and the forces on them.

@@ -87,6 +87,7 @@ void PairCoulClump::parse(int narg, char **arg)
     if (word == "sharp") law_.shifted = false;
     else if (word == "shifted") law_.shifted = true;
     else if (word == "permittivity" && i + 1 < narg) permittivity_ = clay::positiveNumber(word, arg[++i]);
+    else if (word == "screened" && i + 1 < narg) law_.debye = clay::positiveNumber(word, arg[++i]);
     else if (word == "every" && i + 1 < narg) {
       every_ = static_cast<int>(clay::wholeNumber(word, arg[++i], 1, INT_MAX));
       if (i + 1 < narg && strcmp(arg[i + 1], "impulse") == 0) {
@@ -101,7 +102,7 @@ void PairCoulClump::parse(int narg, char **arg)
     else
       throw std::invalid_argument("'" + word +
                                   "' is not understood: sharp, shifted, permittivity EPS, "
-                                  "every N [impulse|hold], double or single may follow the cut-off");
+                                  "screened LAMBDA, every N [impulse|hold], double or single may follow the cut-off");
   }
   law_.k /= permittivity_;
 }
@@ -214,20 +215,26 @@ void PairCoulClump::read_restart(FILE *fp, const int major, const int minor)
 
 void PairCoulClump::write_restart_settings(FILE *fp)
 {
-  const double kept[6] = {law_.cutoff,       law_.shifted ? 1.0 : 0.0,  permittivity_, static_cast<double>(every_),
-                          hold_ ? 1.0 : 0.0, groups_.single ? 1.0 : 0.0};
-  fwrite(kept, sizeof(double), 6, fp);
+  // bits of the form: 1 shifted, 2 screened, whose Debye length follows
+  const double form = (law_.shifted ? 1.0 : 0.0) + (law_.debye > 0.0 ? 2.0 : 0.0);
+  const double kept[7] = {
+      law_.cutoff, form, permittivity_, static_cast<double>(every_), hold_ ? 1.0 : 0.0, groups_.single ? 1.0 : 0.0,
+      law_.debye};
+  fwrite(kept, sizeof(double), law_.debye > 0.0 ? 7 : 6, fp);
 }
 
 void PairCoulClump::read_restart_settings(FILE *fp, const int, const int)
 {
-  double kept[6];
-  if (comm->me == 0 && fread(kept, sizeof(double), 6, fp) != 6)
+  double kept[7];
+  kept[6] = 0.0;
+  if (comm->me == 0 &&
+      (fread(kept, sizeof(double), 6, fp) != 6 || (kept[1] >= 2.0 && fread(&kept[6], sizeof(double), 1, fp) != 1)))
     error->one(FLERR, "Pair style coul/clump: the restart file ends too early");
-  MPI_Bcast(kept, 6, MPI_DOUBLE, 0, world);
+  MPI_Bcast(kept, 7, MPI_DOUBLE, 0, world);
   law_ = clay::CoulombLaw();
   law_.cutoff = kept[0];
-  law_.shifted = kept[1] != 0.0;
+  law_.shifted = kept[1] == 1.0 || kept[1] == 3.0;
+  law_.debye = kept[6];
   permittivity_ = kept[2];
   law_.k /= permittivity_;
   every_ = static_cast<int>(kept[3]);

@@ -2,7 +2,8 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
    pair_style coul/clump cutoff [sharp|shifted] [permittivity eps_r]
-                         [every N [impulse|hold]] [double|single]
+                         [screened lambda] [every N [impulse|hold]]
+                         [double|single]
    Coulomb forces between the charged spheres of different bodies.
 ------------------------------------------------------------------------- */
 

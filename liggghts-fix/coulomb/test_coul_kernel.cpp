@@ -49,6 +49,12 @@ ChargeGroups grouped(const std::vector<Ball>& balls)
   return g;
 }
 
+// of two charges of one over k; without a Debye length, 0, Coulomb's
+double unitForce(double debye, double r)
+{
+  return debye > 0 ? (1 + r / debye) * std::exp(-r / debye) / (r * r) : 1 / (r * r);
+}
+
 // forces by the sum over all pairs, one by one
 std::vector<std::array<double, 3>> oneByOne(const std::vector<Ball>& balls, const CoulombLaw& law, int* acting)
 {
@@ -65,8 +71,8 @@ std::vector<std::array<double, 3>> oneByOne(const std::vector<Ball>& balls, cons
       const double r = std::sqrt(r2);
       if (r >= law.cutoff) continue;
       ++*acting;
-      const double size =
-          8.9875517873681764e9 * balls[i].q * balls[j].q * (1 / r2 - (law.shifted ? 1 / (law.cutoff * law.cutoff) : 0));
+      const double size = 8.9875517873681764e9 * balls[i].q * balls[j].q *
+          (unitForce(law.debye, r) - (law.shifted ? unitForce(law.debye, law.cutoff) : 0));
       for (int c = 0; c < 3; ++c) f[i][c] += size * d[c] / r;
     }
   return f;
@@ -151,6 +157,85 @@ TEST(CoulKernel, allPairsWithinTheCutOff)
       expectBruteForce(suspension(60, 90, 1), law);
       expectBruteForce(suspension(150, 0, 2), law);
       expectBruteForce(suspension(0, 400, 3), law);
+    }
+}
+
+TEST(CoulKernel, allPairsScreened)
+{
+  for (bool shifted : {false, true})
+    for (double cutoff : {0.7, 2.5, 30.0})
+      for (double debye : {0.15, 1.0, 100.0}) {
+        CoulombLaw law;
+        law.cutoff = cutoff;
+        law.shifted = shifted;
+        law.debye = debye;
+        expectBruteForce(suspension(60, 90, 1), law);
+        expectBruteForce(suspension(0, 400, 3), law);
+      }
+}
+
+// many Debye lengths within the cut-off: nothing overflows, and what is left is next to nothing
+TEST(CoulKernel, screenedToNothing)
+{
+  for (bool single : {false, true})
+    for (double debye = 1e-6; debye < 5e-3; debye *= 1.3) {
+      ChargeGroups g;
+      g.single = single;
+      for (double x : {0.0, 0.9}) {
+        g.add(x, 0, 0, 1e-9);
+        g.close(x > 0, true);
+      }
+      CoulombLaw law;
+      law.cutoff = 1;
+      law.debye = debye;
+      g.act(law);
+      EXPECT_LT(std::abs(g.wrenches[0].f[0]), 1e-30 * law.k * 1e-18) << debye;
+    }
+}
+
+// with a Debye length that grows, (1 + r/L) exp(-r/L) = 1 - (r/L)^2/2 + ..., until it is Coulomb's
+TEST(CoulKernel, weaklyScreenedIsCoulombs)
+{
+  CoulombLaw bare, screened;
+  bare.cutoff = screened.cutoff = 3;
+  const auto balls = suspension(60, 90, 1);
+  ChargeGroups a = grouped(balls);
+  a.act(bare);
+  for (double debye : {1e3, 1e9}) {
+    screened.debye = debye;
+    ChargeGroups b = grouped(balls);
+    b.act(screened);
+    double apart = 0, size = 0;
+    for (std::size_t k = 0; k < a.groups.size(); ++k)
+      for (int d = 0; d < 3 && !a.groups[k].loose(); ++d) {
+        apart = std::max(apart, std::abs(a.wrenches[k].f[d] - b.wrenches[k].f[d]));
+        size = std::max(size, std::abs(a.wrenches[k].f[d]));
+      }
+    EXPECT_LT(apart / size, debye < 1e6 ? 1e-6 : 1e-13);
+    if (debye < 1e6) { EXPECT_GT(apart / size, 1e-10); }
+    const double r = 1.7, qq = 1e-18;
+    EXPECT_NEAR(screened.energy(qq, r), bare.energy(qq, r), 10 / debye / debye * bare.energy(qq, r) + 1e-30);
+  }
+}
+
+// energy [J] against the force's integral from there to the cut-off, by Simpson's rule
+TEST(CoulKernel, energyIsTheForcesIntegral)
+{
+  for (bool shifted : {false, true})
+    for (double debye : {0.0, 2e-4, 1e-3, 0.1}) {
+      CoulombLaw law;
+      law.cutoff = 0.012;
+      law.shifted = shifted;
+      law.debye = debye;
+      const double qq = -1.5e-19, start = 0.002, end = law.cutoff * (1 - 1e-15);
+      const int parts = 20000;
+      double sum = 0;
+      for (int i = 0; i <= parts; ++i) {
+        const double r = start + (end - start) * i / parts;
+        sum += (i == 0 || i == parts ? 1 : i % 2 ? 4 : 2) * law.forceOverDistance(qq, r) * r;
+      }
+      sum *= (end - start) / parts / 3;
+      EXPECT_NEAR(law.energy(qq, start) / sum, 1, 1e-9) << debye;
     }
 }
 

@@ -188,6 +188,18 @@ double LAMMPS_NS::resting_step_limit(LAMMPS *lmp, std::string *which)
 
 /* ---------------------------------------------------------------------- */
 
+// overlap over distance in contact of two whose charges pull at them; what the law
+// makes of two charges' k qq grows as they come nearer, and the overlap with it
+static double charged_overlap(const clay::CoulombLaw &law, double qq, double stiffness, double d)
+{
+  double overlap = 0;
+  for (int i = 0; i < 60 && overlap < 1; i++) {
+    const double r = d * (1 - overlap);
+    overlap = clay::attractedOverlap(-law.forceOverDistance(qq, r) * r * r * r, stiffness, d);
+  }
+  return overlap;
+}
+
 ChargedContact LAMMPS_NS::charged_contact(LAMMPS *lmp)
 {
   ChargedContact worst;
@@ -213,7 +225,7 @@ ChargedContact LAMMPS_NS::charged_contact(LAMMPS *lmp)
       const double k = model.between(i, j, m, size[i] * size[j] / d).kn;
       const double impact = std::sqrt(2 * std::fabs(coul->law().energy(qq, d)) / k) / d;
       if (impact <= worst.impact) continue;
-      worst = {clay::attractedOverlap(-coul->law().k * qq, k, d), impact, k, k * impact * impact / 0.01, j, i};
+      worst = {charged_overlap(coul->law(), qq, k, d), impact, k, k * impact * impact / 0.01, j, i};
     }
   return worst;
 }

@@ -98,6 +98,11 @@ TEST(PairCoulClump, forceByTheFormula)
       {"coul/clump 0.006", 0.0061, 0},
       {"coul/clump 0.006 shifted", 0.004, k * qq * (1 / 1.6e-5 - 1 / 3.6e-5)},
       {"coul/clump 0.006 permittivity 78.5", 0.004, k * qq / 1.6e-5 / 78.5},
+      {"coul/clump 0.006 screened 1e-3", 0.004, k * qq / 1.6e-5 * 5 * std::exp(-4.)},
+      {"coul/clump 0.006 screened 1e-3", 0.0061, 0},
+      {"coul/clump 0.006 screened 1e-3 permittivity 78.5", 0.004, k * qq / 1.6e-5 * 5 * std::exp(-4.) / 78.5},
+      {"coul/clump 0.006 shifted screened 1e-3", 0.004,
+       k * qq * (5 * std::exp(-4.) / 1.6e-5 - 7 * std::exp(-6.) / 3.6e-5)},
   };
   for (const Case &c : cases) {
     Host host;
@@ -152,6 +157,48 @@ TEST(PairCoulClump, circularOrbit)
     const double energy = kinetic - k * q * q / apart, start = -0.5 * k * q * q / r;
     EXPECT_NEAR(energy, start, (every.empty() ? 1e-6 : 1e-5) * std::abs(start));
   }
+}
+
+// two like charges flung at each other turn where the energy says, and come back as they went
+TEST(PairCoulClump, screenedApproachTurnsWhereItsEnergySays)
+{
+  const double m = 1.3875e-9, q = 1e-13, far = 3e-3, debye = 5e-4;
+  const auto U = [&](double r) { return k * q * q * std::exp(-r / debye) / r; };
+  const double turn = 4e-4, v = std::sqrt((U(turn) - U(far)) / m);  // each; 2 m v2/2
+  Host host;
+  std::ostringstream s;
+  s.precision(17);
+  s << test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") << test::material("coul/clump 0.004 screened 5e-4")
+    << "pair_coeff * * coul/clump " << q << "\n"
+    << "create_atoms 1 single " << -far / 2 << " 0 0 units box\ncreate_atoms 2 single " << far / 2
+    << " 0 0 units box\nset group all diameter 1e-4\nset group all density " << m / (M_PI / 6 * 1e-12) << "\n"
+    << "group one type 1\ngroup other type 2\nvelocity one set " << v << " 0 0 units box\nvelocity other set " << -v
+    << " 0 0 units box\nfix nve all nve/sphere\ntimestep " << far / v / 40000 << "\ncompute pe all pe pair\n"
+    << "thermo_style custom step c_pe\nrun 0\n";
+  host(s.str());
+  double least = far, worst = 0;
+  for (int i = 0; i < 120; i++) {
+    host("run 500 pre no post no\n");
+    const auto a = host.atoms();
+    const double r = a[1].x[0] - a[0].x[0];
+    least = std::min(least, r);
+    const double energy = m * (a[0].v[0] * a[0].v[0] + a[1].v[0] * a[1].v[0]) / 2 + U(r);
+    worst = std::max(worst, std::abs(energy / (m * v * v + U(far)) - 1));
+    if (r > far) break;
+  }
+  EXPECT_LT(worst, 1e-5);
+  EXPECT_GE(least, turn * (1 - 1e-6));
+  EXPECT_LT(least, 1.05 * turn);
+}
+
+TEST(PairCoulClump, screenedEnergyOfAStep)
+{
+  Host host;
+  host(two("coul/clump 0.006 screened 1e-3", 0.004) + "compute pe all pe pair\nthermo_style custom step c_pe\nrun 0\n");
+  const double qq = 2e-10 * -3e-10, expected = k * qq * (std::exp(-4.) / 0.004 - std::exp(-6.) / 0.006);
+  double mine = host.lmp->force->pair->eng_coul, sum;
+  MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  EXPECT_NEAR(sum, expected, 1e-12 * std::abs(expected));
 }
 
 TEST(PairCoulClump, everyStepsGivesTheSameImpulse)
@@ -256,22 +303,22 @@ TEST(PairCoulClump, acrossPeriodicSides)
 
 namespace {
 
+const std::string laws[] = {"shifted every 2", "screened 1e-3 every 2 hold"};
 const std::string charges = "pair_coeff 1 1 coul/clump 4e-10\npair_coeff 2 2 coul/clump -4e-10\n";
 
 // clumps that have moved for ten steps, and the restart file of that moment
-std::string begun()
+std::string begun(const std::string &law)
 {
   return test::opening("f f f", "-0.012 0.012 -0.012 0.012 0 0.06") +
-      "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" +
-      test::material("coul/clump 0.008 shifted every 2") + charges + test::clumps(40) +
-      "timestep 1e-5\nrun 10\nwrite_restart coul_clump.restart\n";
+      "region ins block -0.012 0.012 -0.012 0.012 0 0.06 units box\n" + test::material("coul/clump 0.008 " + law) +
+      charges + test::clumps(40) + "timestep 1e-5\nrun 10\nwrite_restart coul_clump.restart\n";
 }
 
-std::string again()
+std::string again(const std::string &law)
 {
   return "atom_style granular\natom_modify map array\nnewton off\ncommunicate single vel yes\nprocessors * * *\n"
          "read_restart coul_clump.restart\nneighbor 0.0005 bin\nneigh_modify delay 0\n" +
-      test::material("coul/clump 0.008 shifted every 2") + charges + "fix ms all multisphere\ntimestep 1e-5\nrun 300\n";
+      test::material("coul/clump 0.008 " + law) + charges + "fix ms all multisphere\ntimestep 1e-5\nrun 300\n";
 }
 
 void expect_same(const std::vector<test::Atom> &a, const std::vector<test::Atom> &b)
@@ -292,11 +339,42 @@ void expect_same(const std::vector<test::Atom> &a, const std::vector<test::Atom>
 
 TEST(PairCoulClump, goesOnAfterARestart)
 {
-  Host straight;
-  straight(begun() + "run 300\n");
-  Host restarted;
-  restarted(again());
-  expect_same(straight.atoms(), restarted.atoms());
+  for (const std::string &law : laws) {
+    Host straight;
+    straight(begun(law) + "run 300\n");
+    Host restarted;
+    restarted(again(law));
+    expect_same(straight.atoms(), restarted.atoms());
+  }
+}
+
+// the style alone, which LIGGGHTS then makes from the file
+TEST(PairCoulClump, settingsComeBackFromARestart)
+{
+  const std::string styles[] = {"coul/clump 0.006 screened 1e-3 permittivity 78.5 every 5 hold single",
+                                "coul/clump 0.006 shifted screened 2e-3", "coul/clump 0.006 shifted",
+                                "coul/clump 0.007"};
+  for (const std::string &style : styles) {
+    Host host;
+    host(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") + "atom_modify sort 0 0\npair_style " + style +
+         "\npair_coeff 1 1 2e-10\npair_coeff 2 2 -3e-10\ncreate_atoms 1 single 0 0 0 units box\n"
+         "create_atoms 2 single 0.004 0 0 units box\nset group all diameter 1e-3\nset group all density 2600\n"
+         "fix nve all nve/sphere\ntimestep 1e-6\nrun 0\nwrite_restart coul_settings.restart\n");
+    Host again;
+    again("atom_style granular\natom_modify map array sort 0 0\nnewton off\ncommunicate single vel yes\n"
+          "read_restart coul_settings.restart\nneighbor 0.0005 bin\nneigh_modify delay 0\nfix nve all nve/sphere\n"
+          "timestep 1e-6\nrun 0\n");
+    auto *was = dynamic_cast<LAMMPS_NS::PairCoulClump *>(host.lmp->force->pair);
+    auto *is = dynamic_cast<LAMMPS_NS::PairCoulClump *>(again.lmp->force->pair);
+    ASSERT_NE(is, nullptr);
+    EXPECT_EQ(is->law().debye, was->law().debye) << style;
+    EXPECT_EQ(is->law().k, was->law().k) << style;
+    EXPECT_EQ(is->law().shifted, was->law().shifted) << style;
+    EXPECT_EQ(is->law().cutoff, was->law().cutoff) << style;
+    EXPECT_EQ(is->every(), was->every()) << style;
+    EXPECT_EQ(again.atoms()[0].f[0], host.atoms()[0].f[0]) << style;
+    EXPECT_NE(host.atoms()[0].f[0], 0) << style;
+  }
 }
 
 // one processor writes a restart; one alone and both together go on from it
@@ -305,15 +383,18 @@ TEST(PairCoulClumpParallel, twoProcessorsGiveTheSameAsOne)
   ASSERT_EQ(test::processors(), 2);
   int rank;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank == 0) {
-    Host first(MPI_COMM_SELF);
-    first(begun());
+  for (const std::string &law : laws) {
+    if (rank == 0) {
+      Host first(MPI_COMM_SELF);
+      first(begun(law));
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    Host alone(MPI_COMM_SELF), together(MPI_COMM_WORLD);
+    alone(again(law));
+    together(again(law));
+    expect_same(alone.atoms(), together.atoms());
+    MPI_Barrier(MPI_COMM_WORLD);
   }
-  MPI_Barrier(MPI_COMM_WORLD);
-  Host alone(MPI_COMM_SELF), together(MPI_COMM_WORLD);
-  alone(again());
-  together(again());
-  expect_same(alone.atoms(), together.atoms());
 }
 
 namespace {

@@ -289,18 +289,26 @@ TEST(RunChecks, sphereAtRest)
   EXPECT_EQ(which, "a sphere of type 1");
 }
 
+namespace {
+
+std::string charged(const std::string &law)
+{
+  return test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") +
+      "fix p1 all property/global kn peratomtypepair 2 5000 5000 5000 5000\n"
+      "fix p2 all property/global kt peratomtypepair 2 5000 5000 5000 5000\n"
+      "fix p3 all property/global gamman peratomtypepair 2 4000 4000 4000 4000\n"
+      "fix p4 all property/global gammat peratomtypepair 2 4000 4000 4000 4000\n"
+      "fix p5 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
+      "pair_style hybrid/overlay gran model hooke/stiffness tangential history coul/clump 0.012 " +
+      law + "\npair_coeff * * gran\npair_coeff 1 1 coul/clump 1e-8\npair_coeff 2 2 coul/clump -1e-8\n" + pressed();
+}
+
+}  // namespace
+
 TEST(RunChecks, chargesAgainstStiffness)
 {
   Host host;
-  host(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") +
-       "fix p1 all property/global kn peratomtypepair 2 5000 5000 5000 5000\n"
-       "fix p2 all property/global kt peratomtypepair 2 5000 5000 5000 5000\n"
-       "fix p3 all property/global gamman peratomtypepair 2 4000 4000 4000 4000\n"
-       "fix p4 all property/global gammat peratomtypepair 2 4000 4000 4000 4000\n"
-       "fix p5 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
-       "pair_style hybrid/overlay gran model hooke/stiffness tangential history coul/clump 0.012\n"
-       "pair_coeff * * gran\npair_coeff 1 1 coul/clump 1e-8\npair_coeff 2 2 coul/clump -1e-8\n" +
-       pressed());
+  host(charged(""));
   const auto c = LAMMPS_NS::charged_contact(host.lmp.get());
   EXPECT_EQ(c.first, 1);
   EXPECT_EQ(c.second, 2);
@@ -314,4 +322,15 @@ TEST(RunChecks, chargesAgainstStiffness)
   Host plain;
   plain(test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") + stiff() + pressed());
   EXPECT_EQ(LAMMPS_NS::charged_contact(plain.lmp.get()).impact, 0);
+}
+
+// at the overlap that is found the spring holds what the screened law pulls with
+TEST(RunChecks, screenedChargesAgainstStiffness)
+{
+  Host host;
+  host(charged("screened 5e-4"));
+  const auto c = LAMMPS_NS::charged_contact(host.lmp.get());
+  const double d = 2e-3, r = d * (1 - c.overlap), L = 5e-4;
+  const double pull = 8.9875517873681764e9 * 1e-16 * std::exp(-r / L) * (1 / (r * r) + 1 / (L * r));
+  EXPECT_NEAR(5000 * c.overlap * d / pull, 1, 1e-9);
 }

@@ -18,6 +18,8 @@ KERNELS = {
     "contact_hertz": ("kernel_counts", ["contact_hertz"], "clay::contactForces*"),
     "coulomb": ("kernel_counts", ["coulomb"], "clay::ChargeGroups::act*"),
     "coulomb_single": ("kernel_counts", ["coulomb_single"], "clay::ChargeGroups::act*"),
+    "screened": ("kernel_counts", ["screened"], "clay::ChargeGroups::act*"),
+    "screened_single": ("kernel_counts", ["screened_single"], "clay::ChargeGroups::act*"),
     "overlap": ("mappingCost", ["--gtest_filter=mappingCost.onePass"],
                 "Foam::voidFractionModels::exactOverlap::weights*"),
     "divided": ("mappingCost", ["--gtest_filter=mappingCost.onePassDivided"],

@@ -113,10 +113,10 @@ void FixWallGranLean::init()
 
 bool FixWallGranLean::lean_step() const
 {
-  return radius_ && rmass_ && dnum_ == model_.kind.history() && computeflag_ && !addflag_ && !shear_ && !store_force_ &&
-      !store_force_contact_ && !store_force_contact_stress_ && !fix_store_multicontact_data_ && !heattransfer_flag_ &&
-      !track_energy_ && !fix_sum_normal_force_ && !stress_flag_ && !atom->shapetype_flag &&
-      neighbor->contactDistanceFactor == 1.0;
+  return atom->sphere_flag && radius_ && rmass_ && dnum_ == model_.kind.history() && computeflag_ && !addflag_ &&
+      !shear_ && !store_force_ && !store_force_contact_ && !store_force_contact_stress_ &&
+      !fix_store_multicontact_data_ && !heattransfer_flag_ && !track_energy_ && !fix_sum_normal_force_ &&
+      !stress_flag_ && !atom->shapetype_flag && neighbor->contactDistanceFactor == 1.0;
 }
 
 /* ---------------------------------------------------------------------- */

@@ -45,6 +45,7 @@ Fix *LAMMPS_NS::offer_wall_gran(LAMMPS *lmp, int narg, char **arg)
     lmp->error->all(FLERR, ("F" + fix.substr(1) + ": lean is yes, but " + why + "; take lean auto").c_str());
   if (lmp->comm->me == 0)
     for (FILE *to : {lmp->screen, lmp->logfile})
-      if (to) fprintf(to, "Contacts of %s: LIGGGHTS's own loop, as %s\n", fix.c_str(), why.c_str());
+      if (to)
+        fprintf(to, "Contacts of %s: LIGGGHTS's own loop, as %s\n", fix.c_str(), why.substr(0, why.find(": ")).c_str());
   return new FixWallGran(lmp, n, words.data());
 }

@@ -102,7 +102,7 @@ std::string PairGranLean::unfit() const
 void PairGranLean::say()
 {
   std::string line = "Contacts of pair gran: ";
-  if (!unfit_.empty()) line += "LIGGGHTS's own loop, as " + unfit_;
+  if (!unfit_.empty()) line += "LIGGGHTS's own loop, as " + unfit_.substr(0, unfit_.find(": "));
   else if (flags_read_) line += "LIGGGHTS's own loop, as a fix or compute needs its lists";
   else line += "the lean loop, " + model_.text();
   line += "\n";

@@ -136,7 +136,7 @@ TEST(LeanOffer, whatItCannotDoRunsAsBefore)
   EXPECT_FALSE(ours.lean_floor());
   expect_as_stock(ours, heap(model));
   if (ours.first()) {
-    const std::string why = "LIGGGHTS's own loop, as 'rolling_friction epsd' is not among what it can do";
+    const std::string why = "LIGGGHTS's own loop, as 'rolling_friction epsd' is not among what it can do\n";
     const std::string said = ours.said();
     EXPECT_NE(said.find("Contacts of fix floor wall/gran: " + why), std::string::npos) << said;
     EXPECT_NE(said.find("Contacts of pair gran: " + why), std::string::npos) << said;

@@ -240,7 +240,8 @@ void endAll(int code) {
   std::fflush(nullptr);
   // Open MPI's mpirun ends the other processes when one fails. The message that
   // goes with MPI_Abort at times makes mpirun 4.1 crash or hang.
-  if (mpiRuns() && !std::getenv("OMPI_MCA_orte_launch")) PMPI_Abort(MPI_COMM_WORLD, code);
+  const bool mpirun = std::getenv("OMPI_MCA_orte_launch") || std::getenv("PRTE_LAUNCHED");  // 4, 5
+  if (mpiRuns() && !mpirun) PMPI_Abort(MPI_COMM_WORLD, code);
   _exit(code);
 }
 

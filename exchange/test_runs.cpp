@@ -212,6 +212,19 @@ TEST(Ends, WhenAProgramDoesNotStartMpi) {
   }
 }
 
+// Open MPI 5 names itself to the programs by another variable than 4, and ends them alike
+TEST(Ends, ByTheExitCodeAloneWhereMpirunSeesIt) {
+  const std::string as4 = "env -u PRTE_LAUNCHED ",
+                    as5 = "env -u OMPI_MCA_orte_launch PRTE_LAUNCHED=1 ",
+                    none = "env -u OMPI_MCA_orte_launch -u PRTE_LAUNCHED ";
+  for (const auto& launcher : {as4, as5, none}) {
+    const Outcome o = shell(std::string(MPIRUN) + " -np 1 " + launcher + DEM_HALF +
+                            " cfd:explained 1 : -np 1 " + launcher + CFD_HALF + " cfd:explained 1");
+    expectEnd(o, "no cheese at all");
+    EXPECT_EQ(o.says("MPI_ABORT was invoked"), launcher == none) << launcher << o.text;
+  }
+}
+
 // The reason that a program gives goes along
 TEST(Ends, WithTheReasonThatWasExplained) {
   expectEnd(run("before:dem:explained", 1, 2),

@@ -6,12 +6,18 @@ include(GoogleTest)
 set(CLAYFOAM_MPI_ENVIRONMENT
   OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   OMPI_MCA_rmaps_base_oversubscribe=1
+  PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe # in Open MPI 5
   CACHE INTERNAL "environment of tests that call mpirun")
 
 add_executable(test_terms test_terms.cpp)
 target_link_libraries(test_terms PRIVATE clay_exchange GTest::gtest_main)
 gtest_add_tests(TARGET test_terms TEST_PREFIX exchange. TEST_LIST terms_tests)
 set_tests_properties(${terms_tests} PROPERTIES TIMEOUT 20)
+
+add_executable(test_waiting test_waiting.cpp)
+target_link_libraries(test_waiting PRIVATE clay_exchange GTest::gtest_main)
+gtest_add_tests(TARGET test_waiting TEST_PREFIX exchange. TEST_LIST waiting_tests)
+set_tests_properties(${waiting_tests} PROPERTIES TIMEOUT 20)
 
 # damaged messages, by the decoders alone
 add_executable(test_decode test_decode.cpp)

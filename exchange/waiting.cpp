@@ -48,8 +48,10 @@ bool findOversubscribed() {
   const long ranks = local ? std::atol(local) : World::instance().size();
   long cores = sysconf(_SC_NPROCESSORS_ONLN);
   cpu_set_t set;
-  // a rank that mpirun has bound sees its own cores alone
-  if (!isSet("OMPI_MCA_orte_bound_at_launch") && sched_getaffinity(0, sizeof set, &set) == 0)
+  // A rank that mpirun has bound sees its own cores alone. Open MPI 4 says so; in 5 mpirun
+  // or its daemon, which started the rank, sees those of all.
+  if (!isSet("OMPI_MCA_orte_bound_at_launch") &&
+      sched_getaffinity(isSet("PRTE_LAUNCHED") ? getppid() : 0, sizeof set, &set) == 0)
     cores = CPU_COUNT(&set);
   return ranks > cores;
 }

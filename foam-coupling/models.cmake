@@ -122,10 +122,10 @@ macro(clayfoam_model_tests)
     foreach(ranks 2 3)
       add_test(NAME ${test}_${ranks}
         COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks}
-          --oversubscribe $<TARGET_FILE:${test}>)
+          $<TARGET_FILE:${test}>)
       set_tests_properties(${test}_${ranks} PROPERTIES
         PROCESSORS ${ranks} TIMEOUT 120
-        ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+        ENVIRONMENT "${CLAYFOAM_MPI_ENVIRONMENT}")
     endforeach()
   endforeach()
 

@@ -33,7 +33,7 @@ class BesideStandIn {
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
     const std::string command = "cd '" + path_.string() + "' && " + CLAYFOAM_MPIEXEC +
-        " --oversubscribe --bind-to none -np " + std::to_string(ranks_) + " " + CLAYFOAM_LIGGGHTS +
+        " --map-by :OVERSUBSCRIBE --bind-to none -np " + std::to_string(ranks_) + " " + CLAYFOAM_LIGGGHTS +
         " -in in.lig -log dem.log : -np 1 " + CLAYFOAM_STAND_IN + " out=told.json " + fluid + " > out.log 2>&1";
     const int status = std::system(command.c_str());
     std::ifstream is(path_ / "out.log");

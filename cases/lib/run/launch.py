@@ -17,8 +17,8 @@ from dataclasses import dataclass
 from cases.lib.case import cache, files, openfoam, stops
 from cases.lib.case.casefile import TOP
 from cases.lib.case.errors import CaseError
+from cases.lib.run import openmpi
 
-_TAG = re.compile(r"^\[\d+,(\d+)\]<std(out|err)>:\s?(.*)$", re.S)
 _UNPRINTED = re.compile(r"[\x00-\x08\x0a-\x1f\x7f\ufffd]")  # behind LIGGGHTS's words on an error
 _PROGRESS = re.compile(r"^clayFoam: (t = .*)$")
 # LIGGGHTS's own errors; what a half says on its standard error when it ends the run
@@ -92,14 +92,14 @@ class Run:
         if os.geteuid() == 0:
             names["OMPI_ALLOW_RUN_AS_ROOT"] = names["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1"
         if self.dem + self.cfd > cores():
-            names["OMPI_MCA_mpi_yield_when_idle"] = "1"
+            names.update(openmpi.crowded())
         return names
 
     def command(self):
         """The plain line that runs both halves, as words."""
         words = ["mpirun", "--bind-to", "none"]
         if self.dem + self.cfd > cores():
-            words.append("--oversubscribe")
+            words += openmpi.CROWDED
         restart = ["-var", "restart", "1", "-var", "restart_file", self.restart] if self.restart else []
         words += ["-np", str(self.dem), "liggghts-clay", "-in", "in.liggghts", "-log", "DEM/log",
                   *restart, ":", "-np", str(self.cfd), "clayFoam", "-case", "CFD"]
@@ -195,7 +195,7 @@ class Run:
         path = os.path.join(self.folder, "CFD", "log")
         with files.naming(path), open(path, "w", encoding="utf-8", buffering=1) as log:
             for line in stream:
-                tag = _TAG.match(line)
+                tag = openmpi.TAG.match(line)
                 if not tag:
                     others.append(line.strip())
                     continue
@@ -216,7 +216,7 @@ class Run:
             return said or after
         # a half that was killed says nothing; mpirun does
         lines = [x for x in others if x and not x.startswith("--")]
-        return next((x for x in lines if x.startswith("mpirun noticed")), " ".join(lines[:3]))
+        return openmpi.noticed(others) or " ".join(lines[:3])
 
 
 class _Progress:

@@ -23,11 +23,10 @@ from dataclasses import dataclass
 from cases.lib.case import files, settings, stops
 from cases.lib.case.casefile import Case, TOP, text
 from cases.lib.case.errors import CaseError
-from cases.lib.run import folders, launch, runkey, state
+from cases.lib.run import folders, launch, openmpi, runkey, state
 
 _DONE = "run.json"
 _SHARE = re.compile(r"([\d.]+) %")
-_YIELD = {"OMPI_MCA_mpi_yield_when_idle": "1"}  # for more ranks than cores
 
 
 class RunFailed(CaseError):
@@ -224,7 +223,7 @@ class Store:
             job.process = subprocess.Popen(
                 self.command(job.name, job.changes, job.folder), stdin=subprocess.DEVNULL, stdout=log,
                 stderr=subprocess.STDOUT, start_new_session=True, pass_fds=(job.lock,),
-                env={**os.environ, **_YIELD} if crowded else None, preexec_fn=stops.die_with_parent())
+                env={**os.environ, **openmpi.YIELD} if crowded else None, preexec_fn=stops.die_with_parent())
 
     @staticmethod
     def _share(job):

@@ -101,7 +101,7 @@ int CoupledRun::run() {
       << properties_ << "\n";
   std::ostringstream os;
   os << "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " CLAYFOAM_MPIEXEC
-        " --oversubscribe -np "
+        " --map-by :OVERSUBSCRIBE -np "
      << demRanks_ << " " CLAYFOAM_STANDIN " out=" << (path_ / "dem.json").string();
   for (const auto& [key, value] : dem_) os << " " << key << "=" << value;
   os << " : -np " << cfdRanks_ << " " CLAYFOAM_PROGRAM " -case " << path_.string();

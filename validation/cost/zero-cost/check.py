@@ -6,7 +6,7 @@ import os
 import shutil
 from concurrent import futures
 
-from cases.lib.run import launch
+from cases.lib.run import launch, openmpi
 from validation.lib.checks import callgrind, coupled
 from validation.lib.checks.verdicts import Broken
 
@@ -82,7 +82,7 @@ def prepared(name, case, values, change, script="in.liggghts"):
 
 def counted(folder, words, halves):
     """Parts of each half: the last whole ones but one."""
-    idle = {"OMPI_MCA_mpi_yield_when_idle": "1"}  # no instructions for waiting
+    idle = openmpi.YIELD  # no instructions for waiting
     outcome = coupled.execute(words, 300, cwd=folder, env={**launch.Run(folder, 1, 1).environment(), **idle})
     if outcome.status != 0:
         wrong = [x for x in outcome.output.splitlines()
@@ -104,7 +104,7 @@ def together(name):
     fluid = "include fluid_"
     change = (lambda text: text.replace(fluid, lines + fluid)) if lines else same
     folder = prepared(name, case, values, change, "settle.liggghts")
-    words = ["mpirun", "--bind-to", "none", "--oversubscribe", "-np", "1",
+    words = ["mpirun", "--bind-to", "none", *openmpi.CROWDED, "-np", "1",
              *callgrind.words(os.path.join(folder, "dem.counts"), _COUPLED["dem"]),
              "liggghts-clay", "-in", "in.liggghts", "-log", "DEM/log", ":", "-np", "1",
              *callgrind.words(os.path.join(folder, "cfd.counts"), _COUPLED["cfd"]), "clayFoam", "-case", "CFD"]

@@ -6,7 +6,7 @@ import os
 import re
 import threading
 
-from cases.lib.run import launch
+from cases.lib.run import launch, openmpi
 from validation.lib.checks import coupled
 from validation.lib.checks.verdicts import Broken
 from validation.lib.matrix import answers, axes, pairs, scene
@@ -14,7 +14,8 @@ from validation.lib.matrix import answers, axes, pairs, scene
 FOLDER = os.path.join(coupled.RUNS, "parallel-matrix")
 LIMIT = 120         # s for a run; one takes 1 to 3
 TOLERANCE = 1e-9
-_SAID = re.compile(r"^(clayFoam|liggghts-clay): (refused|stopped|error)|^\s*ERROR|FOAM FATAL|^mpirun noticed", re.M)
+_SAID = re.compile(r"^(clayFoam|liggghts-clay): (refused|stopped|error)|^\s*ERROR|FOAM FATAL|"
+                   + openmpi.NOTICED.pattern, re.M)
 
 
 def rows():

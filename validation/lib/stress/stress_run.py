@@ -11,7 +11,7 @@ import threading
 
 from cases.lib.case import casefile, openfoam
 from cases.lib.case.errors import CaseError
-from cases.lib.run import folders, launch, prepare
+from cases.lib.run import folders, launch, openmpi, prepare
 from validation.lib.stress import stress_bounds, stress_design
 
 LIMIT = 120.0  # [s] after which a run counts as hung
@@ -58,7 +58,7 @@ def execute(run, limit=LIMIT):
     with open(os.path.join(run.folder, "log"), "w", encoding="utf-8") as log:
         process = subprocess.Popen(words, cwd=run.folder, stdin=subprocess.DEVNULL, stdout=log,
                                    stderr=subprocess.STDOUT, start_new_session=True,
-                                   env={**run.environment(), "OMPI_MCA_mpi_yield_when_idle": "1"})
+                                   env={**run.environment(), **openmpi.YIELD})
     _going.add(process)
     try:
         status = process.wait(limit)
@@ -81,7 +81,7 @@ def reason(lines):
     """Of what both halves said, the line that tells why they ended."""
     said, after, others = "", "", []
     for line in lines:
-        tag = launch._TAG.match(line)
+        tag = openmpi.TAG.match(line)
         if not tag:
             others.append(line.strip())
             continue
@@ -91,8 +91,7 @@ def reason(lines):
                 after = after or content
             else:
                 said = said or content
-    others = [x for x in others if x and not x.startswith("--")]
-    return said or after or next((x for x in others if x.startswith("mpirun noticed")), "")
+    return said or after or openmpi.noticed(others)
 
 
 def judge(point, status, why, scene, folder):
@@ -100,7 +99,7 @@ def judge(point, status, why, scene, folder):
     if status is None:
         return {"outcome": "failed", "reason": f"hung: no end within {LIMIT:.0f} s"}
     if status:
-        if not why or why.startswith("mpirun noticed") or _NO_NUMBER.search(why):
+        if not why or openmpi.NOTICED.match(why) or _NO_NUMBER.search(why):
             return {"outcome": "failed", "reason": why or f"exit code {status} without a word"}
         return {"outcome": "refused", "reason": why}
     measures = stress_bounds.measure(folder, openfoam)

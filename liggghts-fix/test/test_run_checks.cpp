@@ -7,6 +7,7 @@
 
 #include "allocations.h"
 #include "clumps/clump_geometry.h"
+#include "contacts/pair_gran_lean.h"
 #include "coupling/run_checks.h"
 #include "host.h"
 
@@ -123,6 +124,15 @@ TEST(RunChecks, rayleighTime)
   const double E = clay::effectiveModulus(5e6, 0.25, 5e6, 0.25), usual = time(0.5e-3, E);
   EXPECT_NEAR(LAMMPS_NS::rayleigh_step(host.lmp.get(), &which), usual, 1e-9 * usual);
   EXPECT_EQ(which, "spheres of type 2");
+  for (const char *offered : {"hertz", "gran/lean"}) {  // in the lean loop, either way
+    std::string text = script("5e6 5e6", "hertz");
+    Host lean;
+    LAMMPS_NS::offer_lean_contacts(lean.lmp.get());
+    if (offered[0] == 'g') text.replace(text.find("gran model"), 4, offered);
+    lean(text);
+    ASSERT_NE(dynamic_cast<LAMMPS_NS::PairGranLean *>(LAMMPS_NS::granular_pair(lean.lmp.get())), nullptr);
+    EXPECT_NEAR(LAMMPS_NS::rayleigh_step(lean.lmp.get(), &which), usual, 1e-9 * usual);
+  }
   host("unfix nve\nfix nve left nve/sphere\nrun 0\n");
   EXPECT_NEAR(LAMMPS_NS::rayleigh_step(host.lmp.get(), &which), 2 * usual, 1e-9 * usual);
   EXPECT_EQ(which, "spheres of type 1");

@@ -1,7 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a kernel once, for callgrind to count its instructions
 // (validation/cost/instructions): kernel_counts
-// contact|contact_hertz|coulomb|coulomb_single|screened|screened_single|packing
+// contact|contact_hertz|coulomb|coulomb_single|screened|screened_single|dlvo|packing
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -27,6 +27,12 @@ int main(int argc, char **argv)
     std::printf("spheres %zu\n", scene.groups.x.size());
     return std::isfinite(scene.groups.wrenches[0].f[0]) ? 0 : 1;
   }
+  if (which == "dlvo") {
+    clay::DlvoScene scene(4);
+    scene.step();
+    std::printf("spheres %zu\n", scene.groups.x.size());
+    return scene.groups.wrenches[0].f[0] != 0 ? 0 : 1;
+  }
   if (which == "packing") {
     clay::PackingScene scene(2000);
     scene.message.reserve(2000 * 8 + 2);
@@ -36,6 +42,6 @@ int main(int argc, char **argv)
   }
   std::fprintf(stderr,
                "kernel_counts: choose contact, contact_hertz, coulomb, coulomb_single, "
-               "screened, screened_single or packing\n");
+               "screened, screened_single, dlvo or packing\n");
   return 1;
 }

@@ -71,6 +71,27 @@ struct CoulombScene {
   void step() { groups.act(law); }
 };
 
+/// The same clumps with radii and potentials.
+struct DlvoScene {
+  ChargeGroups groups;
+  DlvoLaw law;
+
+  explicit DlvoScene(int side)
+  {
+    law.permittivity = 6.94e-10;
+    law.debye = 3e-4;
+    law.hamaker = 1e-14;
+    law.contact = 2e-5;
+    law.gap = 2e-3;
+    law.cutoff = 2e-3 + law.gap;
+    groups = CoulombScene(side).groups;
+    for (double& q : groups.q) q = q > 0 ? 0.02 : -0.05;
+    groups.radius.assign(groups.q.size(), 1e-3);
+  }
+
+  void step() { groups.act(law); }
+};
+
 /// A message of particles taken in, and their answers packed.
 struct PackingScene {
   FieldSet in{Field::position, Field::radius, Field::volume, Field::velocity, Field::tag, Field::impulse, Field::mass};

@@ -26,6 +26,15 @@ void ChargeTiles<Real>::build(const std::vector<ChargeGroup>& groups, const std:
   begin.push_back(static_cast<int>(tiles.size()));
 }
 
+template <class Real>
+void ChargeTiles<Real>::takeRadii(const std::vector<ChargeGroup>& groups, const std::vector<double>& radius)
+{
+  radii.assign(tiles.size(), Radii());
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (int k = begin[g], i = groups[g].begin; k < begin[g + 1]; ++k, i += LANES)
+      for (int l = 0; l < tiles[k].used; ++l) radii[k].r[l] = static_cast<Real>(radius[i + l]);
+}
+
 template struct ChargeTiles<float>;
 template struct ChargeTiles<double>;
 
@@ -100,11 +109,13 @@ struct Rows {
   }
 };
 
+enum class Kind { sharp, screened, dlvo };
+
 // A row is a sphere of the first group, which meets a register of the second at once.
 // Only the forces on the second are kept, lane by lane: those on the first are the
 // opposite, with the same lever.
-template <class Real, int BYTES, bool SCREENED>
-CLAY_INLINE void actOn(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups,
+template <class Real, int BYTES, Kind KIND, class Law>
+CLAY_INLINE void actOn(const PairsInReach& pairs, const Law& law, const std::vector<ChargeGroup>& groups,
                        ChargeTiles<Real>& c, std::vector<Wrench>& wrenches)
 {
   typedef typename ChargeTiles<Real>::Tile Tile;
@@ -141,15 +152,35 @@ CLAY_INLINE void actOn(const PairsInReach& pairs, const TileLaw& law, const std:
             Tile& other = c.tiles[tb];
             const Numbers x = pack<Numbers>(other.x + part), y = pack<Numbers>(other.y + part),
                           z = pack<Numbers>(other.z + part), q = pack<Numbers>(other.q + part);
-            Numbers fx = zero, fy = zero, fz = zero;
+            Numbers fx = zero, fy = zero, fz = zero, otherRadii = zero;
+            const Real* ownRadii = nullptr;
+            if constexpr (KIND == Kind::dlvo) {
+              otherRadii = pack<Numbers>(c.radii[tb].r + part);
+              ownRadii = c.radii[ta].r;
+            }
             for (int k = 0; k < row.count; ++k) {
               const int i = row.at[k];
               const Numbers ex = x - row.x[i], ey = y - row.y[i], ez = z - row.z[i];
               const Numbers r2 = ex * ex + (ey * ey + (ez * ez + least));
               Numbers inv;
               invSqrt<BYTES>(r2, inv);
+              if constexpr (KIND == Kind::dlvo) {
+                const Numbers ri = zero + length * ownRadii[i], rj = length * otherRadii;
+                Numbers h = r2 * inv - ri - rj;
+                const Numbers within = h < law.gap ? inv : zero;
+                h = h > law.contact ? h : zero + law.contact;
+                Numbers layers;
+                expOf<BYTES>(-decay * h, layers);
+                const Numbers late = h * h * (1 + law.retardation * h);
+                const Numbers w =
+                    within * (ri * rj / (ri + rj)) * (law.repulsion * one.q[i] * q * layers - law.attraction / late);
+                fx += w * ex;
+                fy += w * ey;
+                fz += w * ez;
+                continue;
+              }
               Numbers slope = inv * inv;
-              if (SCREENED) {
+              if (KIND == Kind::screened) {
                 Numbers screening;
                 expOf<BYTES>(-decay * (r2 * inv), screening);
                 slope = screening * (inv * (inv + decay));
@@ -160,9 +191,11 @@ CLAY_INLINE void actOn(const PairsInReach& pairs, const TileLaw& law, const std:
               fy += w * ey;
               fz += w * ez;
             }
-            fx *= q;
-            fy *= q;
-            fz *= q;
+            if constexpr (KIND != Kind::dlvo) {
+              fx *= q;
+              fy *= q;
+              fz *= q;
+            }
             pack<Numbers>(other.fx + part) += fx;
             pack<Numbers>(other.fy + part) += fy;
             pack<Numbers>(other.fz + part) += fz;
@@ -221,12 +254,12 @@ CLAY_INLINE void addUp(const TileLaw& law, const std::vector<ChargeGroup>& group
   }
 }
 
-template <int BYTES, bool SCREENED, class Real>
-CLAY_INLINE void allOf(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
+template <int BYTES, Kind KIND, class Real, class Law>
+CLAY_INLINE void allOf(const PairsInReach& pairs, const Law& law, const std::vector<ChargeGroup>& groups, Places x,
                        ChargeTiles<Real>& c, std::vector<Wrench>& wrenches, Forces f)
 {
   place(groups, law, x, c);
-  actOn<Real, BYTES, SCREENED>(pairs, law, groups, c, wrenches);
+  actOn<Real, BYTES, KIND>(pairs, law, groups, c, wrenches);
   addUp(law, groups, c, wrenches, f);
 }
 
@@ -235,24 +268,35 @@ CLAY_INLINE void allOf(const PairsInReach& pairs, const TileLaw& law, const std:
   GENERATION static void tiles(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups,  \
                                Places x, ChargeTiles<REAL>& c, std::vector<Wrench>& wrenches, Forces f)                \
   {                                                                                                                    \
-    allOf<BYTES, false>(pairs, law, groups, x, c, wrenches, f);                                                        \
+    allOf<BYTES, Kind::sharp>(pairs, law, groups, x, c, wrenches, f);                                                  \
   }                                                                                                                    \
   GENERATION static void screened(const PairsInReach& pairs, const TileLaw& law,                                       \
                                   const std::vector<ChargeGroup>& groups, Places x, ChargeTiles<REAL>& c,              \
                                   std::vector<Wrench>& wrenches, Forces f)                                             \
   {                                                                                                                    \
-    allOf<BYTES, true>(pairs, law, groups, x, c, wrenches, f);                                                         \
+    allOf<BYTES, Kind::screened>(pairs, law, groups, x, c, wrenches, f);                                               \
+  }
+#define CLAY_TILES_DLVO(GENERATION, BYTES)                                                                             \
+  GENERATION static void dlvo(const PairsInReach& pairs, const DlvoTileLaw& law,                                       \
+                              const std::vector<ChargeGroup>& groups, Places x, ChargeTiles<double>& c,                \
+                              std::vector<Wrench>& wrenches, Forces f)                                                 \
+  {                                                                                                                    \
+    allOf<BYTES, Kind::dlvo>(pairs, law, groups, x, c, wrenches, f);                                                   \
   }
 #ifdef CLAY_GENERATIONS
 CLAY_TILES(CLAY_FOR_WIDEST, 64, float)
 CLAY_TILES(CLAY_FOR_WIDEST, 64, double)
+CLAY_TILES_DLVO(CLAY_FOR_WIDEST, 64)
 CLAY_TILES(CLAY_FOR_WIDE, 32, float)
 CLAY_TILES(CLAY_FOR_WIDE, 32, double)
+CLAY_TILES_DLVO(CLAY_FOR_WIDE, 32)
 CLAY_TILES(CLAY_FOR_ANY, 16, float)
 CLAY_TILES(CLAY_FOR_ANY, 16, double)
+CLAY_TILES_DLVO(CLAY_FOR_ANY, 16)
 #else
 CLAY_TILES(CLAY_CLONES, CLAY_BYTES, float)
 CLAY_TILES(CLAY_CLONES, CLAY_BYTES, double)
+CLAY_TILES_DLVO(CLAY_CLONES, CLAY_BYTES)
 #endif
 
 }  // namespace
@@ -269,6 +313,12 @@ void act(const PairsInReach& pairs, const TileLaw& law, const std::vector<Charge
 {
   if (law.decay > 0) screened(pairs, law, groups, x, c, wrenches, f);
   else tiles(pairs, law, groups, x, c, wrenches, f);
+}
+
+void act(const PairsInReach& pairs, const DlvoTileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
+         ChargeTiles<double>& c, std::vector<Wrench>& wrenches, Forces f)
+{
+  dlvo(pairs, law, groups, x, c, wrenches, f);
 }
 
 }  // namespace clay

@@ -37,6 +37,12 @@ struct TileLaw {
   double decay;  ///< cut-off over Debye length
 };
 
+/// F = R (repulsion q q exp(-decay h) - attraction/(h2 (1 + retardation h))) for gaps h < gap, with
+/// R = r r/(r + r), and as at `contact` below it; lengths in cut-offs.
+struct DlvoTileLaw : TileLaw {
+  double repulsion = 0, attraction = 0, retardation = 0, contact = 0, gap = 0;
+};
+
 /// Lists of x, y, z of all spheres.
 struct Places {
   const double *x, *y, *z;
@@ -61,14 +67,23 @@ struct ChargeTiles {
   std::vector<Tile> tiles;
   std::vector<int> begin;  ///< tiles of each group, and the end
 
+  struct alignas(64) Radii {
+    Real r[LANES];
+  };
+  std::vector<Radii> radii;  ///< of the tiles' spheres [m], 0 in lanes that are left over
+
   /// Takes in the charges of the groups' spheres over the largest one.
   void build(const std::vector<ChargeGroup>& groups, const std::vector<double>& q, double largest);
+  /// Takes in the spheres' radii.
+  void takeRadii(const std::vector<ChargeGroup>& groups, const std::vector<double>& radius);
 };
 
 /// Adds up the forces of the pairs: on bodies to `wrenches`, on loose spheres to `f`.
 void act(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
          ChargeTiles<float>& c, std::vector<Wrench>& wrenches, Forces f);
 void act(const PairsInReach& pairs, const TileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
+         ChargeTiles<double>& c, std::vector<Wrench>& wrenches, Forces f);
+void act(const PairsInReach& pairs, const DlvoTileLaw& law, const std::vector<ChargeGroup>& groups, Places x,
          ChargeTiles<double>& c, std::vector<Wrench>& wrenches, Forces f);
 
 }  // namespace clay

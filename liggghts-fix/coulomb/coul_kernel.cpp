@@ -24,7 +24,7 @@ double CoulombLaw::energy(double qq, double r) const
 
 void ChargeGroups::clear()
 {
-  for (auto* v : {&x, &y, &z, &q}) v->clear();
+  for (auto* v : {&x, &y, &z, &q, &radius}) v->clear();
   groups.clear();
   was_.clear();
 }
@@ -53,7 +53,7 @@ void centre(const ChargeGroups& c, ChargeGroup& g)
   g.z = part * s[2];
 }
 
-void radius(const ChargeGroups& c, ChargeGroup& g)
+void ball(const ChargeGroups& c, ChargeGroup& g)
 {
   double r2 = 0;
   for (int i = g.begin; i < g.end; ++i) {
@@ -74,7 +74,7 @@ void ChargeGroups::close(long body, bool acted)
   g.acted = acted;
   if (g.begin == g.end) return;
   centre(*this, g);
-  radius(*this, g);
+  ball(*this, g);
   groups.push_back(g);
 }
 
@@ -82,7 +82,7 @@ void ChargeGroups::moved()
 {
   for (ChargeGroup& g : groups) {
     centre(*this, g);
-    radius(*this, g);
+    ball(*this, g);
   }
 }
 
@@ -131,8 +131,10 @@ void ChargeGroups::list(double range)
   for (const auto& g : groups) was_.insert(was_.end(), {g.x, g.y, g.z, g.r});
   largest_ = 0;
   for (double charge : q) largest_ = std::max(largest_, std::abs(charge));
+  if (largest_ == 0) largest_ = 1;
   if (single) floats_.build(groups, q, largest_);
   else doubles_.build(groups, q, largest_);
+  if (!radius.empty()) doubles_.takeRadii(groups, radius);
 }
 
 bool ChargeGroups::listHolds(double skin) const
@@ -147,13 +149,17 @@ bool ChargeGroups::listHolds(double skin) const
   return true;
 }
 
-void ChargeGroups::act(const CoulombLaw& law)
+void ChargeGroups::refresh(double cutoff)
 {
-  const double skin = 0.1 * law.cutoff;
+  const double skin = 0.1 * cutoff;
   wrenches.resize(groups.size());
   for (auto* f : {&fx, &fy, &fz}) f->resize(x.size());
-  if (!listHolds(skin)) list(law.cutoff + skin);
+  if (!listHolds(skin)) list(cutoff + skin);
+}
 
+void ChargeGroups::act(const CoulombLaw& law)
+{
+  refresh(law.cutoff);
   const double decay = law.debye > 0 ? law.cutoff / law.debye : 0;
   const double shift = law.shifted ? std::exp(-decay) * (1 + decay) : 0;
   const TileLaw scaled = {law.cutoff, shift, law.k * largest_ * largest_ / (law.cutoff * law.cutoff), decay};
@@ -161,6 +167,26 @@ void ChargeGroups::act(const CoulombLaw& law)
   const Forces f = {fx.data(), fy.data(), fz.data()};
   if (single) clay::act(pairs_, scaled, groups, at, floats_, wrenches, f);
   else clay::act(pairs_, scaled, groups, at, doubles_, wrenches, f);
+}
+
+void ChargeGroups::act(const DlvoLaw& law)
+{
+  refresh(law.cutoff);
+  const double most = law.repulsion(largest_ * largest_) * law.cutoff, pull = law.hamaker / (6 * law.cutoff);
+  DlvoTileLaw scaled;
+  scaled.cutoff = law.cutoff;
+  scaled.shift = 0;
+  scaled.force = most + pull;
+  scaled.decay = law.cutoff / law.debye;
+  if (scaled.force > 0) {
+    scaled.repulsion = most / scaled.force;
+    scaled.attraction = pull / scaled.force;
+  }
+  scaled.retardation = law.retardation > 0 ? DlvoLaw::gregory * law.cutoff / law.retardation : 0;
+  scaled.contact = law.contact / law.cutoff;
+  scaled.gap = law.gap / law.cutoff;
+  clay::act(pairs_, scaled, groups, {x.data(), y.data(), z.data()}, doubles_, wrenches,
+            {fx.data(), fy.data(), fz.data()});
 }
 
 }  // namespace clay

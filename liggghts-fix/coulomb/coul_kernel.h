@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coulomb/charge_tiles.h"
+#include "coulomb/dlvo_law.h"
 
 namespace clay {
 
@@ -34,7 +35,8 @@ struct CoulombLaw {
 /// Charged spheres in order of their groups, and the forces on them.
 class ChargeGroups {
  public:
-  std::vector<double> x, y, z, q;  ///< centres [m], charges [C]
+  std::vector<double> x, y, z, q;  ///< centres [m], charges [C] or potentials [V]
+  std::vector<double> radius;      ///< [m], for DlvoLaw
   std::vector<ChargeGroup> groups;
   std::vector<Wrench> wrenches;    ///< on the groups of bodies
   std::vector<double> fx, fy, fz;  ///< on loose spheres [N]
@@ -51,10 +53,13 @@ class ChargeGroups {
 
   /// Sets the forces.
   void act(const CoulombLaw& law);
+  /// In double precision.
+  void act(const DlvoLaw& law);
 
  private:
   bool listHolds(double skin) const;
   void list(double range);
+  void refresh(double cutoff);
 
   PairsInReach pairs_;       // with a skin, for many calls
   std::vector<double> was_;  // balls when it was made
@@ -69,14 +74,14 @@ std::vector<std::pair<int, int>> pairsInReach(const ChargeGroups& c, double rang
 
 /// Calls visit(i, j, r) for every pair of spheres that acts, r apart.
 template <class Visit>
-void eachPair(const ChargeGroups& c, const CoulombLaw& law, Visit visit)
+void eachPair(const ChargeGroups& c, double cutoff, Visit visit)
 {
-  for (const auto& p : pairsInReach(c, law.cutoff)) {
+  for (const auto& p : pairsInReach(c, cutoff)) {
     const auto &A = c.groups[p.first], &B = c.groups[p.second];
     for (int i = A.begin; i < A.end; ++i)
       for (int j = B.begin; j < (p.first == p.second ? i : B.end); ++j) {
         const double r = std::hypot(c.x[i] - c.x[j], c.y[i] - c.y[j], c.z[i] - c.z[j]);
-        if (r < law.cutoff) visit(i, j, r);
+        if (r < cutoff) visit(i, j, r);
       }
   }
 }

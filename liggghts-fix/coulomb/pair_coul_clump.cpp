@@ -1,12 +1,12 @@
 /* ----------------------------------------------------------------------
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
-   Settings, start and restart; the forces are in pair_coul_clump_compute.cpp.
+   Settings, start and restart; the forces are in pair_clump.cpp.
 ------------------------------------------------------------------------- */
 
 #include "coulomb/pair_coul_clump.h"
 
-#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <climits>
@@ -16,49 +16,25 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "domain.h"
 #include "error.h"
 #include "fix_multisphere.h"
 #include "force.h"
-#include "memory.h"
 #include "modify.h"
-#include "neighbor.h"
 #include "script/values.h"
 
 using namespace LAMMPS_NS;
 
 /* ---------------------------------------------------------------------- */
 
-PairCoulClump::PairCoulClump(LAMMPS *lmp) :
-  Pair(lmp), permittivity_(1.0), every_(1), hold_(false), charged_(false), centred_(false), multisphere_(NULL),
-  laid_out_(-1), nall_(-1), evaluated_(-1), evaluations_(0)
-{
-  no_virial_fdotr_compute = 1;
-}
-
-PairCoulClump::~PairCoulClump()
-{
-  if (allocated) {
-    memory->destroy(setflag);
-    memory->destroy(cutsq);
-  }
-}
+PairCoulClump::PairCoulClump(LAMMPS *lmp) : PairClump(lmp), permittivity_(1.0) {}
 
 /* ---------------------------------------------------------------------- */
 
 void PairCoulClump::allocate()
 {
-  allocated = 1;
-  const int n = atom->ntypes;
-  memory->create(setflag, n + 1, n + 1, "pair:setflag");
-  memory->create(cutsq, n + 1, n + 1, "pair:cutsq");
-  for (int i = 0; i <= n; i++)
-    for (int j = 0; j <= n; j++) {
-      setflag[i][j] = 0;
-      cutsq[i][j] = 0.0;
-    }
-  charge_.assign(n + 1, 0.0);
-  given_.assign(n + 1, 0);
+  allocate_tables();
+  charge_.assign(atom->ntypes + 1, 0.0);
+  given_.assign(atom->ntypes + 1, 0);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -150,45 +126,16 @@ void PairCoulClump::init_style()
   if (modify->n_fixes_style("multisphere") > 1) error->all(FLERR, "Pair style coul/clump: at most one fix multisphere");
   multisphere_ = static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0));
 
-  charged_ = false;
-  for (int t = 1; t <= atom->ntypes; t++) charged_ = charged_ || charge_[t] != 0.0;
-
-  double largest = 0.0, smallest = 0.0;
-  if (atom->radius_flag) {
-    modify->max_min_rad(largest, smallest);
-    double mine = 0.0, all = 0.0;
-    for (int i = 0; i < atom->nlocal; i++) mine = std::max(mine, atom->radius[i]);
-    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-    largest = std::max(largest, all);
-  }
-  if (charged_ && law_.cutoff <= 2.0 * largest) {
+  bool charged = false;
+  for (int t = 1; t <= atom->ntypes; t++) charged = charged || charge_[t] != 0.0;
+  const double largest = largest_radius();
+  if (charged && law_.cutoff <= 2.0 * largest) {
     snprintf(text, sizeof text,
              "Pair style coul/clump: cut-off %g is not beyond contact of the largest spheres, %g apart (m)",
              law_.cutoff, 2.0 * largest);
     error->all(FLERR, text);
   }
-
-  // With granular atom styles LIGGGHTS hands each processor only the ghosts
-  // within half of its cut-off, which is enough for contacts. Here both
-  // processors of a pair need the other's atom: twice the range is asked for.
-  if (charged_) {
-    const double range = 2.0 * law_.cutoff + neighbor->skin;
-    comm->cutghostuser = std::max(comm->cutghostuser, range);
-  }
-  // where they will be then is foreseen by their velocities, which ghosts have only on request
-  const bool ghosts = comm->nprocs > 1 || domain->xperiodic || domain->yperiodic || domain->zperiodic;
-  centred_ = hold_ && every_ > 1 && (comm->ghost_velocity || !ghosts);
-  laid_out_ = evaluated_ = nall_ = -1;
-}
-
-/* ----------------------------------------------------------------------
-   no list is used, so none is made longer
-------------------------------------------------------------------------- */
-
-double PairCoulClump::init_one(int i, int j)
-{
-  if (setflag[i][j] == 0) error->all(FLERR, "All pair coeffs are not set");
-  return 0.0;
+  start(charged);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -244,7 +191,20 @@ void PairCoulClump::read_restart_settings(FILE *fp, const int, const int)
 
 /* ---------------------------------------------------------------------- */
 
-double PairCoulClump::memory_usage()
+double PairCoulClump::between(int a, int b, double r, double &f) const
 {
-  return Pair::memory_usage() + order_.size() * (sizeof(int) + 11.0 * sizeof(double));
+  const double qq = groups_.q[a] * groups_.q[b];
+  f = law_.forceOverDistance(qq, r);
+  return law_.energy(qq, r);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double PairCoulClump::single(int i, int j, int itype, int jtype, double rsq, double, double, double &fforce)
+{
+  fforce = 0.0;
+  if (one_body(i, j)) return 0.0;
+  const double r = sqrt(rsq), qq = charge_[itype] * charge_[jtype];
+  fforce = law_.forceOverDistance(qq, r);
+  return law_.energy(qq, r);
 }

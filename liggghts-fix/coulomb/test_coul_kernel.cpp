@@ -327,7 +327,7 @@ TEST(CoulKernel, visitsEachPairOnce)
   CoulombLaw law;
   law.cutoff = 2;
   std::set<std::pair<int, int>> wanted, visited;
-  eachPair(g, law, [&](int i, int j, double r) {
+  eachPair(g, law.cutoff, [&](int i, int j, double r) {
     EXPECT_TRUE(visited.insert(std::minmax(i, j)).second) << i << ' ' << j;
     EXPECT_LT(r, 2);
   });

@@ -12,4 +12,5 @@
 #include "clumps/fix_template_clay.h"
 #include "contacts/fix_wall_gran_lean.h"
 #include "coulomb/pair_coul_clump.h"
+#include "coulomb/pair_dlvo_clump.h"
 #include "contacts/pair_gran_lean.h"

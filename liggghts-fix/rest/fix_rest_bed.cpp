@@ -21,7 +21,7 @@
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
-#include "coulomb/pair_coul_clump.h"
+#include "coulomb/pair_clump.h"
 #include "script/values.h"
 #include "update.h"
 #include "rest/verlet_clay.h"
@@ -134,9 +134,11 @@ std::string FixRestBed::why_not() const
   if (!gravity.any()) return "there is no gravity to hold a bed";
   if (gravity.changes()) return "gravity changes by a variable";
   if (gravity.differs(0)) return "gravity acts on a part of the particles";
-  Pair *pair = force->pair ? force->pair_match("coul/clump", 1) : NULL;
-  const PairCoulClump *coul = dynamic_cast<PairCoulClump *>(pair);
-  if (coul && coul->kicks()) return "pair coul/clump gives its force in impulses; it must be every N hold";
+  for (const std::string name : {"coul/clump", "dlvo/clump"}) {
+    Pair *pair = force->pair ? force->pair_match(name.c_str(), 1) : NULL;
+    const PairClump *kicking = dynamic_cast<PairClump *>(pair);
+    if (kicking && kicking->kicks()) return "pair " + name + " gives its force in impulses; it must be every N hold";
+  }
   for (int i = 0; i < modify->nfix; i++) {
     const Fix *fix = modify->fix[i];
     if (!strncmp(fix->style, "wall/gran", 9)) {

@@ -26,7 +26,8 @@ foreach(bytes 16 32 64)
     clumps/test_body_rotation.cpp
     clumps/test_body_spheres.cpp
     contacts/test_contact_kernel.cpp
-    coulomb/test_coul_kernel.cpp)
+    coulomb/test_coul_kernel.cpp
+    coulomb/test_dlvo_law.cpp)
   target_compile_definitions(test_clones_${bytes} PRIVATE CLAY_ONLY_BYTES=${bytes})
   target_link_libraries(test_clones_${bytes} PRIVATE
     clay_coulomb clay_contacts clay_clumps GTest::gtest Threads::Threads)

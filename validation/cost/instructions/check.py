@@ -20,6 +20,7 @@ KERNELS = {
     "coulomb_single": ("kernel_counts", ["coulomb_single"], "clay::ChargeGroups::act*"),
     "screened": ("kernel_counts", ["screened"], "clay::ChargeGroups::act*"),
     "screened_single": ("kernel_counts", ["screened_single"], "clay::ChargeGroups::act*"),
+    "dlvo": ("kernel_counts", ["dlvo"], "clay::ChargeGroups::act*"),
     "overlap": ("mappingCost", ["--gtest_filter=mappingCost.onePass"],
                 "Foam::voidFractionModels::exactOverlap::weights*"),
     "divided": ("mappingCost", ["--gtest_filter=mappingCost.onePassDivided"],

@@ -8,19 +8,104 @@
    asked for through the ghost cut-off.
 ------------------------------------------------------------------------- */
 
-#include "coulomb/pair_coul_clump.h"
+#include "coulomb/pair_clump.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
+#include "error.h"
 #include "fix_multisphere.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
 #include "neighbor.h"
 #include "update.h"
 #include "simd/cell_index.h"
 
 using namespace LAMMPS_NS;
+
+/* ---------------------------------------------------------------------- */
+
+PairClump::PairClump(LAMMPS *lmp) :
+  Pair(lmp), every_(1), hold_(false), active_(false), multisphere_(NULL), centred_(false), laid_out_(-1), nall_(-1),
+  evaluated_(-1), evaluations_(0)
+{
+  no_virial_fdotr_compute = 1;
+}
+
+PairClump::~PairClump()
+{
+  if (allocated) {
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairClump::allocate_tables()
+{
+  allocated = 1;
+  const int n = atom->ntypes;
+  memory->create(setflag, n + 1, n + 1, "pair:setflag");
+  memory->create(cutsq, n + 1, n + 1, "pair:cutsq");
+  for (int i = 0; i <= n; i++)
+    for (int j = 0; j <= n; j++) {
+      setflag[i][j] = 0;
+      cutsq[i][j] = 0.0;
+    }
+}
+
+/* ---------------------------------------------------------------------- */
+
+double PairClump::largest_radius() const
+{
+  double largest = 0.0, smallest = 0.0;
+  if (!atom->radius_flag) return largest;
+  modify->max_min_rad(largest, smallest);
+  double mine = 0.0, all = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) mine = std::max(mine, atom->radius[i]);
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return std::max(largest, all);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairClump::start(bool active)
+{
+  active_ = active;
+  // With granular atom styles LIGGGHTS hands each processor only the ghosts
+  // within half of its cut-off, which is enough for contacts. Here both
+  // processors of a pair need the other's atom: twice the range is asked for.
+  if (active_) {
+    const double range = 2.0 * cutoff() + neighbor->skin;
+    comm->cutghostuser = std::max(comm->cutghostuser, range);
+  }
+  // where they will be then is foreseen by their velocities, which ghosts have only on request
+  const bool ghosts = comm->nprocs > 1 || domain->xperiodic || domain->yperiodic || domain->zperiodic;
+  centred_ = hold_ && every_ > 1 && (comm->ghost_velocity || !ghosts);
+  laid_out_ = evaluated_ = nall_ = -1;
+}
+
+/* ----------------------------------------------------------------------
+   no list is used, so none is made longer
+------------------------------------------------------------------------- */
+
+double PairClump::init_one(int i, int j)
+{
+  if (setflag[i][j] == 0) error->all(FLERR, "All pair coeffs are not set");
+  return 0.0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+double PairClump::memory_usage()
+{
+  return Pair::memory_usage() + order_.size() * (sizeof(int) + 11.0 * sizeof(double));
+}
 
 /* ----------------------------------------------------------------------
    groups: the spheres of one body that are this processor's, those that are
@@ -52,17 +137,17 @@ struct Place {
    the same bodies and charges as before, all of this processor
 ------------------------------------------------------------------------- */
 
-bool PairCoulClump::same_bodies() const
+bool PairClump::same_bodies() const
 {
   if (atom->nghost > 0 || atom->nlocal != nall_ || !multisphere_) return false;
   std::size_t charged = 0;
-  for (int i = 0; i < nall_; i++) charged += charge_[atom->type[i]] != 0.0;
+  for (int i = 0; i < nall_; i++) charged += takes_part(atom->type[i]);
   if (charged != order_.size()) return false;
   for (std::size_t g = 0; g < groups_.groups.size(); g++) {
     const clay::ChargeGroup &group = groups_.groups[g];
     if (group.loose() || !group.acted) return false;  // spheres that were ghosts are this processor's now
     for (int k = group.begin; k < group.end; k++)
-      if (multisphere_->belongs_to(order_[k]) != group.body || charge_[atom->type[order_[k]]] != groups_.q[k])
+      if (multisphere_->belongs_to(order_[k]) != group.body || strength(atom->type[order_[k]]) != groups_.q[k])
         return false;
   }
   return true;
@@ -70,7 +155,7 @@ bool PairCoulClump::same_bodies() const
 
 /* ---------------------------------------------------------------------- */
 
-void PairCoulClump::lay_out()
+void PairClump::lay_out()
 {
   laid_out_ = neighbor->lastcall;
   evaluated_ = -1;  // on one processor, too, so that their number does not show
@@ -81,11 +166,11 @@ void PairCoulClump::lay_out()
   std::vector<Place> places;
   places.reserve(n);
   for (int i = 0; i < n; i++) {
-    if (charge_[atom->type[i]] == 0.0) continue;
+    if (!takes_part(atom->type[i])) continue;
     const int body = multisphere_ ? std::max(-1, multisphere_->belongs_to(i)) : -1;
     Place p = {body, {0, 0, 0}, i >= atom->nlocal, i};
     if (body < 0)
-      for (int d = 0; d < 3; d++) p.cell[d] = clay::cell_number(floor(3.0 * x[i][d] / law_.cutoff));
+      for (int d = 0; d < 3; d++) p.cell[d] = clay::cell_number(floor(3.0 * x[i][d] / cutoff()));
     places.push_back(p);
   }
   std::sort(places.begin(), places.end());
@@ -110,7 +195,8 @@ void PairCoulClump::lay_out()
   for (std::size_t k = 0; k < places.size(); k++) {
     const int i = places[k].atom;
     order_.push_back(i);
-    groups_.add(x[i][0], x[i][1], x[i][2], charge_[atom->type[i]]);
+    groups_.add(x[i][0], x[i][1], x[i][2], strength(atom->type[i]));
+    if (with_radii()) groups_.radius.push_back(atom->radius[i]);
     if (k + 1 == places.size() || !places[k].same_group(places[k + 1])) groups_.close(places[k].body, !places[k].ghost);
   }
 }
@@ -119,7 +205,7 @@ void PairCoulClump::lay_out()
    where the spheres are some time ahead
 ------------------------------------------------------------------------- */
 
-void PairCoulClump::gather(double ahead)
+void PairClump::gather(double ahead)
 {
   double **x = atom->x, **v = atom->v;
   for (std::size_t k = 0; k < order_.size(); k++) {
@@ -136,7 +222,7 @@ void PairCoulClump::gather(double ahead)
    that sphere: the body takes them up as it does those on all spheres
 ------------------------------------------------------------------------- */
 
-void PairCoulClump::take_forces(double factor)
+void PairClump::take_forces(double factor)
 {
   held_.clear();
   for (std::size_t g = 0; g < groups_.groups.size(); g++) {
@@ -165,7 +251,7 @@ void PairCoulClump::take_forces(double factor)
 
 /* ---------------------------------------------------------------------- */
 
-void PairCoulClump::add_forces()
+void PairClump::add_forces()
 {
   double **f = atom->f, **torque = atom->torque_flag ? atom->torque : NULL;
   for (std::size_t k = 0; k < held_.size(); k++) {
@@ -180,23 +266,24 @@ void PairCoulClump::add_forces()
    energy and virial of this step, whether or not its forces are applied
 ------------------------------------------------------------------------- */
 
-void PairCoulClump::tally()
+void PairClump::tally()
 {
   const std::vector<int> &order = order_;
-  clay::eachPair(groups_, law_, [&](int a, int b, double r) {
-    const double qq = groups_.q[a] * groups_.q[b];
-    ev_tally(order[a], order[b], atom->nlocal, 0, 0.0, law_.energy(qq, r), law_.forceOverDistance(qq, r),
-             groups_.x[a] - groups_.x[b], groups_.y[a] - groups_.y[b], groups_.z[a] - groups_.z[b]);
+  clay::eachPair(groups_, cutoff(), [&](int a, int b, double r) {
+    double f = 0.0;
+    const double e = between(a, b, r, f);
+    ev_tally(order[a], order[b], atom->nlocal, 0, 0.0, e, f, groups_.x[a] - groups_.x[b], groups_.y[a] - groups_.y[b],
+             groups_.z[a] - groups_.z[b]);
   });
 }
 
 /* ---------------------------------------------------------------------- */
 
-void PairCoulClump::compute(int eflag, int vflag)
+void PairClump::compute(int eflag, int vflag)
 {
   if (eflag || vflag) ev_setup(eflag, vflag);
   else ev_unset();
-  if (!charged_) return;
+  if (!active_) return;
 
   if (neighbor->lastcall != laid_out_ || atom->nlocal + atom->nghost != nall_) lay_out();
 
@@ -206,7 +293,7 @@ void PairCoulClump::compute(int eflag, int vflag)
   const bool due = hold_ ? (evaluated_ < 0 || step - evaluated_ >= every_ || step < evaluated_) : step % every_ == 0;
   if (due) {
     gather(centred_ ? 0.5 * (every_ - 1) * update->dt : 0.0);
-    groups_.act(law_);
+    evaluate();
     take_forces(hold_ ? 1.0 : every_);
     evaluated_ = step;
     evaluations_++;
@@ -221,12 +308,7 @@ void PairCoulClump::compute(int eflag, int vflag)
 
 /* ---------------------------------------------------------------------- */
 
-double PairCoulClump::single(int i, int j, int itype, int jtype, double rsq, double, double factor_lj, double &fforce)
+bool PairClump::one_body(int i, int j) const
 {
-  fforce = 0.0;
-  if (multisphere_ && multisphere_->belongs_to(i) >= 0 && multisphere_->belongs_to(i) == multisphere_->belongs_to(j))
-    return 0.0;
-  const double r = sqrt(rsq), qq = charge_[itype] * charge_[jtype];
-  fforce = law_.forceOverDistance(qq, r);
-  return law_.energy(qq, r);
+  return multisphere_ && multisphere_->belongs_to(i) >= 0 && multisphere_->belongs_to(i) == multisphere_->belongs_to(j);
 }

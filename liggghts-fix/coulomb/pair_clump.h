@@ -1,0 +1,83 @@
+/* ----------------------------------------------------------------------
+   This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+   What pair styles have in common whose forces act between the spheres of
+   different bodies over several of their sizes: coul/clump, dlvo/clump.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_PAIR_CLUMP_H
+#define LMP_PAIR_CLUMP_H
+
+#include <vector>
+
+#include "coulomb/coul_kernel.h"
+#include "pair.h"
+
+namespace LAMMPS_NS {
+
+class PairClump : public Pair {
+ public:
+  PairClump(class LAMMPS *);
+  virtual ~PairClump();
+
+  void compute(int, int);
+  double init_one(int, int);
+  double memory_usage();
+
+  /// Distance of centres beyond which nothing acts [m].
+  virtual double cutoff() const = 0;
+  /// Whether a step has the force of several, and the others none.
+  bool kicks() const { return every_ > 1 && !hold_; }
+  /// Steps between two evaluations.
+  int every() const { return every_; }
+  /// Number of evaluations since the start.
+  bigint evaluations() const { return evaluations_; }
+
+ protected:
+  /// What a sphere of an atom type acts with, in the law's unit.
+  virtual double strength(int type) const = 0;
+  virtual bool takes_part(int type) const = 0;
+  virtual bool with_radii() const { return false; }
+  /// Sets the groups' forces.
+  virtual void evaluate() = 0;
+  /// Energy [J] of spheres a and b of the groups, r apart, and their force over r [N/m].
+  virtual double between(int a, int b, double r, double &f) const = 0;
+
+  void allocate_tables();
+  double largest_radius() const;
+  /// Of a run; active: any sphere acts.
+  void start(bool active);
+  bool one_body(int i, int j) const;
+
+  int every_;
+  bool hold_;
+  bool active_;
+  class FixMultisphere *multisphere_;
+  clay::ChargeGroups groups_;
+
+ private:
+  bool same_bodies() const;
+  void lay_out();
+  void gather(double ahead);
+  void take_forces(double factor);
+  void add_forces();
+  void tally();
+
+  // on all charges of a body that are this processor's, or on a loose sphere
+  struct Held {
+    int atom;
+    double f[3], torque[3];
+  };
+
+  bool centred_;            // held forces are those of the middle of their steps
+  std::vector<int> order_;  // atoms in the order of the groups
+  std::vector<Held> held_;  // forces of the last evaluation
+  bigint laid_out_;         // time step of the last lay_out()
+  int nall_;                // atoms seen then
+  bigint evaluated_;        // time step the held forces are of
+  bigint evaluations_;
+};
+
+}
+
+#endif

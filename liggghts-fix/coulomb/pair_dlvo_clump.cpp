@@ -1,0 +1,216 @@
+/* ----------------------------------------------------------------------
+   This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
+
+   Settings, start and restart; the forces are in pair_clump.cpp.
+------------------------------------------------------------------------- */
+
+#include "coulomb/pair_dlvo_clump.h"
+
+#include <climits>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "fix_multisphere.h"
+#include "force.h"
+#include "modify.h"
+#include "script/values.h"
+
+using namespace LAMMPS_NS;
+
+static const double vacuum = 8.8541878128e-12;  // F/m
+
+/* ---------------------------------------------------------------------- */
+
+PairDlvoClump::PairDlvoClump(LAMMPS *lmp) : PairClump(lmp), relative_(78.4), temperature_(298.15) {}
+
+/* ---------------------------------------------------------------------- */
+
+void PairDlvoClump::allocate()
+{
+  allocate_tables();
+  potential_.assign(atom->ntypes + 1, 0.0);
+  given_.assign(atom->ntypes + 1, 0);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairDlvoClump::settings(int narg, char **arg)
+{
+  try {
+    parse(narg, arg);
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR, (std::string("Pair style dlvo/clump: ") + e.what()).c_str());
+  }
+}
+
+void PairDlvoClump::parse(int narg, char **arg)
+{
+  if (narg < 1) throw std::invalid_argument("the largest gap is missing (m)");
+  law_ = clay::DlvoLaw();
+  relative_ = 78.4;
+  temperature_ = 298.15;
+  every_ = 1;
+  hold_ = false;
+  law_.gap = clay::positiveNumber("gap", arg[0]);
+  bool hamaker = false;
+
+  for (int i = 1; i < narg; i++) {
+    const std::string word = arg[i];
+    if (i + 1 == narg) throw std::invalid_argument("'" + word + "' is not understood, or its value is missing");
+    const std::string value = arg[++i];
+    if (word == "debye") law_.debye = clay::positiveNumber(word, value);
+    else if (word == "hamaker") {
+      law_.hamaker = clay::number(word, value);
+      if (law_.hamaker < 0) throw std::invalid_argument("hamaker is '" + value + "'; it must be a number of 0 or more");
+      hamaker = true;
+    } else if (word == "contact") law_.contact = clay::positiveNumber(word, value);
+    else if (word == "retarded") law_.retardation = clay::positiveNumber(word, value);
+    else if (word == "permittivity") relative_ = clay::positiveNumber(word, value);
+    else if (word == "temperature") temperature_ = clay::positiveNumber(word, value);
+    else if (word == "every") {
+      every_ = static_cast<int>(clay::wholeNumber(word, value, 1, INT_MAX));
+      if (i + 1 < narg && (!strcmp(arg[i + 1], "impulse") || !strcmp(arg[i + 1], "hold")))
+        hold_ = !strcmp(arg[++i], "hold");
+    } else
+      throw std::invalid_argument("'" + word +
+                                  "' is not understood: debye L, hamaker A, contact H, retarded W, permittivity EPS, "
+                                  "temperature T, every N [impulse|hold] may follow the gap");
+  }
+  if (law_.debye == 0) throw std::invalid_argument("'debye' is missing: the Debye length (m)");
+  if (!hamaker) throw std::invalid_argument("'hamaker' is missing: the Hamaker constant (J), 0 for none");
+  if (law_.contact == 0) throw std::invalid_argument("'contact' is missing: the gap below which forces stay (m)");
+  if (law_.contact >= law_.gap) {
+    char text[128];
+    snprintf(text, sizeof text, "contact is '%g'; it must be below the largest gap, %g (m)", law_.contact, law_.gap);
+    throw std::invalid_argument(text);
+  }
+  law_.permittivity = vacuum * relative_;
+}
+
+/* ----------------------------------------------------------------------
+   pair_coeff T T psi: the potential of the surfaces of a type
+------------------------------------------------------------------------- */
+
+void PairDlvoClump::coeff(int narg, char **arg)
+{
+  if (narg != 3 || strcmp(arg[0], arg[1]) != 0)
+    error->all(FLERR, "Pair coeff for dlvo/clump: a potential belongs to one type: pair_coeff T T potential");
+  if (!allocated) allocate();
+
+  int lo, hi;
+  force->bounds(arg[0], atom->ntypes, lo, hi);
+  double psi = 0.0;
+  try {
+    psi = clay::number("potential", arg[2]);
+    if (std::fabs(psi) > 1.0)
+      throw std::invalid_argument("potential is '" + std::string(arg[2]) + "'; it must be from -1 to 1 (V)");
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR, (std::string("Pair coeff for dlvo/clump: ") + e.what()).c_str());
+  }
+  for (int t = lo; t <= hi; t++) {
+    potential_[t] = psi;
+    given_[t] = 1;
+  }
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) setflag[i][j] = 1;  // init_style looks for what is missing
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairDlvoClump::init_style()
+{
+  char text[256];
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (!allocated || !given_[t]) {
+      snprintf(text, sizeof text,
+               "Pair style dlvo/clump: atom type %d has no potential: pair_coeff %d %d [dlvo/clump] PSI", t, t, t);
+      error->all(FLERR, text);
+    }
+  if (!atom->radius_flag) error->all(FLERR, "Pair style dlvo/clump requires atoms with radii");
+  if (force->newton_pair) error->all(FLERR, "Pair style dlvo/clump requires newton off");
+  if (modify->n_fixes_style("multisphere") > 1) error->all(FLERR, "Pair style dlvo/clump: at most one fix multisphere");
+  multisphere_ = static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0));
+
+  bool any = false;
+  for (int t = 1; t <= atom->ntypes; t++) any = any || takes_part(t);
+  law_.cutoff = law_.gap + 2.0 * largest_radius();
+  start(any);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double PairDlvoClump::strength(int type) const { return clay::effectivePotential(potential_[type], temperature_); }
+
+double PairDlvoClump::of_two(double yy, double ri, double rj, double r, double &f) const
+{
+  const double R = ri * rj / (ri + rj), h = r - ri - rj;
+  f = law_.force(yy, R, h) / r;
+  return law_.energy(yy, R, h);
+}
+
+double PairDlvoClump::between(int a, int b, double r, double &f) const
+{
+  return of_two(groups_.q[a] * groups_.q[b], groups_.radius[a], groups_.radius[b], r, f);
+}
+
+double PairDlvoClump::single(int i, int j, int itype, int jtype, double rsq, double, double, double &fforce)
+{
+  fforce = 0.0;
+  if (one_body(i, j) || !takes_part(itype) || !takes_part(jtype)) return 0.0;
+  return of_two(strength(itype) * strength(jtype), atom->radius[i], atom->radius[j], sqrt(rsq), fforce);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairDlvoClump::write_restart(FILE *fp)
+{
+  write_restart_settings(fp);
+  fwrite(&potential_[0], sizeof(double), atom->ntypes + 1, fp);
+}
+
+void PairDlvoClump::read_restart(FILE *fp, const int major, const int minor)
+{
+  read_restart_settings(fp, major, minor);
+  if (!allocated) allocate();
+  const size_t n = atom->ntypes + 1;
+  if (comm->me == 0 && fread(&potential_[0], sizeof(double), n, fp) != n)
+    error->one(FLERR, "Pair style dlvo/clump: the restart file ends too early");
+  MPI_Bcast(&potential_[0], static_cast<int>(n), MPI_DOUBLE, 0, world);
+  for (int i = 1; i <= atom->ntypes; i++) {
+    given_[i] = 1;
+    for (int j = i; j <= atom->ntypes; j++) setflag[i][j] = 1;
+  }
+}
+
+void PairDlvoClump::write_restart_settings(FILE *fp)
+{
+  const double kept[9] = {law_.gap,  law_.debye,   law_.hamaker,   law_.contact,     law_.retardation,
+                          relative_, temperature_, double(every_), hold_ ? 1.0 : 0.0};
+  fwrite(kept, sizeof(double), 9, fp);
+}
+
+void PairDlvoClump::read_restart_settings(FILE *fp, const int, const int)
+{
+  double kept[9];
+  if (comm->me == 0 && fread(kept, sizeof(double), 9, fp) != 9)
+    error->one(FLERR, "Pair style dlvo/clump: the restart file ends too early");
+  MPI_Bcast(kept, 9, MPI_DOUBLE, 0, world);
+  law_ = clay::DlvoLaw();
+  law_.gap = kept[0];
+  law_.debye = kept[1];
+  law_.hamaker = kept[2];
+  law_.contact = kept[3];
+  law_.retardation = kept[4];
+  relative_ = kept[5];
+  temperature_ = kept[6];
+  every_ = static_cast<int>(kept[7]);
+  hold_ = kept[8] != 0.0;
+  law_.permittivity = vacuum * relative_;
+}

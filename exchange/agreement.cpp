@@ -81,8 +81,8 @@ std::string noNumbers(const DemTerms& dem, const CfdTerms& cfd) {
   if (!sound(dem.box)) return odd("DEM", "box", text(dem.box) + " m");
   if (!possible(dem.maxRadius) || dem.maxRadius < 0)
     return odd("DEM", "largest radius", text(dem.maxRadius) + " m");
-  if (!possible(dem.bodyWidth) || dem.bodyWidth < 0)
-    return odd("DEM", "width of the clumps", text(dem.bodyWidth) + " m");
+  if (!possible(dem.bodyDiameter) || dem.bodyDiameter < 0)
+    return odd("DEM", "diameter of the clumps", text(dem.bodyDiameter) + " m");
   for (double t : {cfd.startTime, cfd.endTime.value_or(0), cfd.couplingInterval.value_or(0)})
     if (!possible(t)) return odd("CFD", "time", text(t) + " s");
   if (cfd.gravity && !allPossible(*cfd.gravity))

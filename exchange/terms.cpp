@@ -117,7 +117,7 @@ std::string encode(const DemTerms& t) {
               {"periodic", t.periodic},
               {"particles", t.particles},
               {"maxRadius", t.maxRadius},
-              {"bodyWidth", t.bodyWidth},
+              {"bodyDiameter", t.bodyDiameter},
               {"offers", t.offers.names()},
               {"brings", t.brings.names()},
               {"needs", t.needs.names()},
@@ -161,7 +161,7 @@ DemTerms decodeDem(const std::string& s) {
     t.periodic = flags<3>(j.at("periodic"));
     t.particles = whole<long>(j.at("particles"));
     t.maxRadius = number(j.at("maxRadius"));
-    t.bodyWidth = number(j.at("bodyWidth"));
+    t.bodyDiameter = number(j.at("bodyDiameter"));
     t.offers = fields(j.at("offers"));
     t.brings = fields(j.at("brings"));
     t.needs = fields(j.at("needs"));

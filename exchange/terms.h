@@ -14,7 +14,7 @@
 namespace clay {
 
 /// Both halves must speak the same version of the wire.
-constexpr int wireVersion = 9;
+constexpr int wireVersion = 10;
 static_assert(fieldCount == 22, "another list of fields is another version of the wire");
 
 /// Raised, on every rank of both halves, when the halves do not fit.
@@ -37,7 +37,7 @@ struct DemTerms {
   std::array<bool, 3> periodic{};   ///< along x, y, z
   long particles = 0;               ///< number of particles in the coupled group
   double maxRadius = 0;             ///< [m]
-  double bodyWidth = 0;             ///< of the clumps, mean by volume; 0 without [m]
+  double bodyDiameter = 0;          ///< of spheres of the clumps' volume, mean by volume; 0 without [m]
   FieldSet offers;                  ///< fields it can send
   FieldSet brings;        ///< fields it sends though they are not needed; its settings ask for them
   FieldSet needs;         ///< fields it must get

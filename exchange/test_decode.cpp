@@ -374,7 +374,7 @@ TEST(DamagedMessages, OfTerms) {
       {"periodic", {"[true]", "[1,2,3]", "[true,true,true,true]", "null"}},
       {"particles", {"-1", "1.5", "1e18", "null", "99999999999999999999"}},
       {"maxRadius", {"-1", "null", "1e300", "[]"}},
-      {"bodyWidth", {"-1", "null", "1e300", "[]"}},
+      {"bodyDiameter", {"-1", "null", "1e300", "[]"}},
       {"offers", {"[\"smell\"]", "[]", "[1]", "null", "[\"force\"]"}},
       {"brings", {"[\"smell\"]", "[\"force\"]", "[\"spin\"]", "0"}},
       {"needs", {"[\"smell\"]", "[\"radius\"]", "[\"fluidSpin\"]", "0"}},

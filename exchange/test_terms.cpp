@@ -165,7 +165,7 @@ TEST(Text, BringsTheDemTermsBackBitByBit) {
   t.brings = {Field::dragFactor};
   t.periodic = {{true, false, true}};
   t.clumpDrag = "resistance";
-  t.bodyWidth = 1. / 7;
+  t.bodyDiameter = 1. / 7;
   const DemTerms u = clay::decodeDem(clay::encode(t));
   EXPECT_EQ(u.step, t.step);
   EXPECT_EQ(u.interval, t.interval);
@@ -178,7 +178,7 @@ TEST(Text, BringsTheDemTermsBackBitByBit) {
   EXPECT_EQ(u.periodic, t.periodic);
   EXPECT_EQ(u.particles, t.particles);
   EXPECT_EQ(u.maxRadius, t.maxRadius);
-  EXPECT_EQ(u.bodyWidth, t.bodyWidth);
+  EXPECT_EQ(u.bodyDiameter, t.bodyDiameter);
   EXPECT_EQ(u.offers, t.offers);
   EXPECT_EQ(u.brings, t.brings);
   EXPECT_EQ(u.needs, t.needs);

@@ -93,22 +93,22 @@ void Foam::particleCoupling::fitKernel()
         return;
     }
     const dispersedParticles& p = particles_;
-    scalar volume = 0, widths = 0;
+    scalar volume = 0, diameters = 0;
     forAll(p.owned, i)
     {
         if (p.owned[i])
         {
             volume += p.volume[i];
-            widths += p.volume[i]*2*p.radius[i];
+            diameters += p.volume[i]*2*p.radius[i];
         }
     }
     reduce(volume, sumOp<scalar>());
-    reduce(widths, sumOp<scalar>());
+    reduce(diameters, sumOp<scalar>());
     // all ranks alike: the sum over them
     if (volume > 0)
     {
-        const scalar bodies = session_->remoteTerms().bodyWidth;
-        smoothing_->fit(bodies > 0 ? bodies : widths/volume);
+        const scalar bodies = session_->remoteTerms().bodyDiameter;
+        smoothing_->fit(bodies > 0 ? bodies : diameters/volume);
     }
 }
 

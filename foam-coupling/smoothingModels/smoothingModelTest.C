@@ -209,7 +209,7 @@ TEST(smoothing, none)
 }
 
 
-// twice the bodies' width, or the thickness of cells of 1 x 1 x 0.2
+// 3.5 diameters of the bodies, or two cells of 1 x 1 x 0.2
 TEST(smoothing, bandwidthOfBodiesAndCells)
 {
     const test::meshCase c(test::block({3, 3, 5}, Zero, {3, 3, 1}));
@@ -227,15 +227,15 @@ TEST(smoothing, bandwidthOfBodiesAndCells)
         m->smooth(psi);
         EXPECT_EQ(psi[4], 7);
         m->fit(0.4);
-        EXPECT_NEAR(m->bandwidth(), 0.8, 1e-12);
-        EXPECT_NEAR(m->spread(), 0.16, 1e-12);
+        EXPECT_NEAR(m->bandwidth(), 1.4, 1e-12);
+        EXPECT_NEAR(m->spread(), 0.49, 1e-12);
         m->smooth(psi);
         EXPECT_LT(psi[4], 3);
         m->fit(0.1);
         EXPECT_NEAR(m->bandwidth(), 0.4, 1e-12);
         // to four digits
         m->fit(0.33335001);
-        EXPECT_NEAR(m->bandwidth(), 0.6667, 1e-12);
+        EXPECT_NEAR(m->bandwidth(), 1.167, 1e-12);
     }
     EXPECT_FALSE(diffusion(c.mesh(), 0.5)->fits());
 }

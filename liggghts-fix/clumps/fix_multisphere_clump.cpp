@@ -12,6 +12,7 @@
 #include "fix_template_multisphere.h"
 #include "modify.h"
 #include "update.h"
+#include <cmath>
 
 using namespace LAMMPS_NS;
 
@@ -235,12 +236,13 @@ bool FixMultisphereClump::take_motion(int ibody, double *displacement, double *c
 
 /* ---------------------------------------------------------------------- */
 
-double FixMultisphereClump::mean_width()
+double FixMultisphereClump::mean_diameter()
 {
+  const auto diameter = [](double volume) { return std::cbrt(6. / M_PI * volume); };
   double sum[2] = {0., 0.}, all[2];
   for (int b = 0; b < multisphere_.n_body(); b++) {
     sum[0] += multisphere_.volume(b);
-    sum[1] += multisphere_.volume(b) * 2. * multisphere_.r_bound(b);
+    sum[1] += multisphere_.volume(b) * diameter(multisphere_.volume(b));
   }
   MPI_Allreduce(sum, all, 2, MPI_DOUBLE, MPI_SUM, world);
   if (all[0] > 0.) return all[1] / all[0];
@@ -249,7 +251,7 @@ double FixMultisphereClump::mean_width()
   for (int i = 0; i < modify->nfix; i++)
     if (FixTemplateMultisphere *t = dynamic_cast<FixTemplateMultisphere *>(modify->fix[i])) {
       sum[0] += 1.;
-      sum[1] += 2. * t->max_r_bound();
+      sum[1] += diameter(t->volexpect());
     }
   return sum[0] > 0. ? sum[1] / sum[0] : 0.;
 }

@@ -104,10 +104,9 @@ class FixMultisphereClump : public FixMultisphere {
   double body_volume(int ibody) { return multisphere_.volume(ibody); }
   double body_mass(int ibody) { return multisphere_.mass(ibody); }
 
-  /// Mean of the bodies' widths by volume, each twice the reach of its spheres from its
-  /// centre of mass; that of the templates before there are any, 0 without these [m].
-  /// Collective.
-  double mean_width();
+  /// Diameter of a sphere of a body's volume, mean of the bodies by volume; that of the
+  /// templates before there are any, 0 without these [m]. Collective.
+  double mean_diameter();
 
  private:
   // what is kept of the fluid, per body: it moves with the body

@@ -262,7 +262,7 @@ clay::DemTerms FixCoupleFoam::terms()
   if (gravity_.differs(igroup)) t.brings.add(Field::gravity);
   if (bodies_) {
     t.clumpDrag = clay::name(settings_.clumpDrag);
-    t.bodyWidth = bodies_->mean_width();
+    t.bodyDiameter = bodies_->mean_diameter();
   }
   t.needs = {Field::dragCoefficient, Field::fluidVelocity};
   if (readers_.any) t.needs.add(Field::voidFraction);

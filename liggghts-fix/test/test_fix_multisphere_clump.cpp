@@ -132,26 +132,21 @@ TEST(FixMultisphereClump, keepsWhatActsOnABody)
   EXPECT_GT(velocity, 1e-5);
 }
 
-// of clumps like these, the largest distance of two spheres' far sides
-TEST(FixMultisphereClump, meanWidthOfItsBodies)
+// of clumps like these, whose spheres count in full
+TEST(FixMultisphereClump, meanDiameterOfItsBodies)
 {
   Host host;
   host(tumble("multisphere/clump", "f f f", "") + "run 1\n");
-  const auto all = host.atoms();
-  std::map<int, double> widths;
-  for (const auto &a : all)
-    for (const auto &b : all)
-      if (a.body == b.body) {
-        const double d = std::hypot(a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]);
-        widths[a.body] = std::max(widths[a.body], d + a.radius + b.radius);
-      }
-  double mean = 0;
-  for (const auto &w : widths) mean += w.second / widths.size();
-  ASSERT_GE(widths.size(), 20u);
-  EXPECT_GT(mean, 5e-3);
+  std::map<int, double> volumes;
+  for (const auto &a : host.atoms()) volumes[a.body] += 4. / 3. * M_PI * a.radius * a.radius * a.radius;
+  double all = 0, mean = 0;
+  for (const auto &v : volumes) all += v.second;
+  for (const auto &v : volumes) mean += v.second / all * std::cbrt(6 / M_PI * v.second);
+  ASSERT_GE(volumes.size(), 20u);
+  EXPECT_GT(mean, 1e-3);
   auto *bodies = dynamic_cast<LAMMPS_NS::FixMultisphereClump *>(host.multisphere());
   ASSERT_TRUE(bodies);
-  EXPECT_NEAR(bodies->mean_width() / mean, 1, 1e-6);
+  EXPECT_NEAR(bodies->mean_diameter() / mean, 1, 1e-6);
 
   // that of the templates, before there is any body
   Host empty;
@@ -160,7 +155,7 @@ TEST(FixMultisphereClump, meanWidthOfItsBodies)
   empty(script + "run 0\n");
   bodies = dynamic_cast<LAMMPS_NS::FixMultisphereClump *>(empty.multisphere());
   ASSERT_TRUE(bodies);
-  EXPECT_NEAR(bodies->mean_width() / mean, 1, 1e-6);
+  EXPECT_NEAR(bodies->mean_diameter() / mean, 1, 1e-6);
 }
 
 TEST(FixMultisphereClump, takesInsertedBodiesUp)

@@ -90,17 +90,22 @@ void Foam::smoothingModels::diffusion::prepare() const
     const scalarField& V = mesh_.V();
     const surfaceScalarField& deltaCoeffs = mesh_.nonOrthDeltaCoeffs();
 
-    owner_.setSize(mesh_.nFaces());
-    owner_ = Zero;
-    neighbour_.setSize(mesh_.nInternalFaces());
+    diagonal_.setSize(mesh_.nCells());
+    diagonal_ = Zero;
+    start_.setSize(mesh_.nCells() + 1);
+    start_ = Zero;
     forAll(nei, f)
     {
         const scalar g = deltaCoeffs[f]*mesh_.magSf()[f];
-        owner_[f] = g/V[own[f]];
-        neighbour_[f] = g/V[nei[f]];
+        diagonal_[own[f]] += g/V[own[f]];
+        diagonal_[nei[f]] += g/V[nei[f]];
+        ++start_[own[f] + 1];
+        ++start_[nei[f] + 1];
     }
 
     coupled_ = false;
+    behind_.setSize(mesh_.nFaces() - nei.size());
+    behind_ = Zero;
     forAll(mesh_.boundary(), patchi)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
@@ -110,28 +115,41 @@ void Foam::smoothingModels::diffusion::prepare() const
             forAll(patch, i)
             {
                 const label f = patch.start() + i;
-                owner_[f] =
+                const scalar out =
                     deltaCoeffs.boundaryField()[patchi][i]*patch.magSf()[i]
                    /V[own[f]];
+                behind_[f - nei.size()] = out;
+                diagonal_[own[f]] += out;
             }
         }
     }
     reduce(coupled_, orOp<bool>());
 
-    diagonal_.setSize(mesh_.nCells());
-    diagonal_ = Zero;
-    forAll(owner_, f)
-    {
-        diagonal_[own[f]] += owner_[f];
-        if (f < nei.size())
-        {
-            diagonal_[nei[f]] += neighbour_[f];
-        }
-    }
-
     // Gershgorin's bound
     bound_ = max(2*gMax(diagonal_), VSMALL);
     series_ = chebyshevOfExp(0.5*spread()*bound_, 1e-8);
+
+    // row by row, as step() takes it
+    const scalar scale = 4/bound_;
+    forAll(diagonal_, celli)
+    {
+        diagonal_[celli] = scale*diagonal_[celli] - 2;
+        start_[celli + 1] += start_[celli];
+    }
+    behind_ *= scale;
+    column_.setSize(2*nei.size());
+    weight_.setSize(2*nei.size());
+    labelList filled(SubList<label>(start_, mesh_.nCells()));
+    forAll(nei, f)
+    {
+        const scalar g = scale*deltaCoeffs[f]*mesh_.magSf()[f];
+        const label mine = filled[own[f]]++;
+        column_[mine] = nei[f];
+        weight_[mine] = g/V[own[f]];
+        const label theirs = filled[nei[f]]++;
+        column_[theirs] = own[f];
+        weight_[theirs] = g/V[nei[f]];
+    }
     prepared_ = true;
 }
 
@@ -140,28 +158,30 @@ template<class Type>
 void Foam::smoothingModels::diffusion::step
 (
     const Field<Type>& now,
-    const Field<Type>& last,
-    Field<Type>& next
+    Field<Type>& last
 ) const
 {
-    const labelUList& own = mesh_.faceOwner();
-    const labelUList& nei = mesh_.faceNeighbour();
-    const scalar scale = 4/bound_;
+    const label* const column = column_.cdata();
+    const scalar* const weight = weight_.cdata();
+    const Type* const from = now.cdata();
+    Type* const to = last.data();
 
-    forAll(next, celli)
+    const label n = last.size();
+    label k = 0;
+    for (label celli = 0; celli < n; ++celli)
     {
-        next[celli] =
-            (scale*diagonal_[celli] - 2)*now[celli] - last[celli];
-    }
-    forAll(nei, f)
-    {
-        next[own[f]] -= (scale*owner_[f])*now[nei[f]];
-        next[nei[f]] -= (scale*neighbour_[f])*now[own[f]];
+        Type sum = diagonal_[celli]*from[celli] - to[celli];
+        for (const label end = start_[celli + 1]; k < end; ++k)
+        {
+            sum -= weight[k]*from[column[k]];
+        }
+        to[celli] = sum;
     }
 
     // all ranks alike: found for all of them
     if (coupled_)
     {
+        const labelUList& own = mesh_.faceOwner();
         auto& field = carrier(now);
         field.primitiveFieldRef() = now;
         field.correctBoundaryConditions();
@@ -170,12 +190,12 @@ void Foam::smoothingModels::diffusion::step
             const auto& patch = field.boundaryField()[patchi];
             if (patch.coupled())
             {
-                const Field<Type> behind(patch.patchNeighbourField());
+                const Field<Type> beyond(patch.patchNeighbourField());
                 const label start = patch.patch().start();
-                forAll(behind, i)
+                forAll(beyond, i)
                 {
-                    next[own[start + i]] -=
-                        (scale*owner_[start + i])*behind[i];
+                    last[own[start + i]] -=
+                        behind_[start + i - mesh_.nInternalFaces()]*beyond[i];
                 }
             }
         }
@@ -193,8 +213,7 @@ void Foam::smoothingModels::diffusion::spreadOut(Field<Type>& cells) const
     }
 
     // T_0, and T_1 as half of what step() gives with nothing before
-    Field<Type> last(cells), now(cells.size(), Zero), next(cells.size());
-    const Field<Type> nothing(cells.size(), Zero);
+    Field<Type> last(cells), now(cells.size(), Zero);
 
     cells *= series_[0];
     const label terms = series_.size();
@@ -204,17 +223,23 @@ void Foam::smoothingModels::diffusion::spreadOut(Field<Type>& cells) const
         // all ranks alike: a count
         if (k == 1)
         {
-            step(last, nothing, now);
+            step(last, now);
             now *= 0.5;
         }
         // all ranks alike: likewise
         else
         {
-            step(now, last, next);
+            step(now, last);
             last.swap(now);
-            now.swap(next);
         }
-        cells += series_[k]*now;
+        const scalar c = series_[k];
+        Type* const sum = cells.data();
+        const Type* const term = now.cdata();
+        const label n = cells.size();
+        for (label celli = 0; celli < n; ++celli)
+        {
+            sum[celli] += c*term[celli];
+        }
     }
 }
 
@@ -276,7 +301,7 @@ Foam::smoothingModels::diffusion::diffusion
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::smoothingModels::diffusion::fit(const scalar width)
+void Foam::smoothingModels::diffusion::fit(const scalar diameter)
 {
     const scalar cells =
         gSum(thickness(mesh_)*mesh_.V())/gSum(mesh_.V());
@@ -287,11 +312,11 @@ void Foam::smoothingModels::diffusion::fit(const scalar width)
         const scalar unit = std::pow(10.0, std::floor(std::log10(x)) - 3);
         return unit*std::round(x/unit);
     };
-    bandwidth_ = rounded(2*max(width, cells));
+    bandwidth_ = rounded(max(3.5*diameter, 2*cells));
     prepared_ = false;
     Info<< "clayFoam: smoothing: bandwidth " << bandwidth_
-        << " m, twice the larger of the bodies' width, " << rounded(width)
-        << " m, and the cells' thickness, "
+        << " m, the larger of 3.5 times the bodies' diameter, "
+        << rounded(diameter) << " m, and twice the cells' thickness, "
         << rounded(cells) << " m" << endl;
 }
 

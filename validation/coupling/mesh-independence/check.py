@@ -12,16 +12,15 @@ LONG = True
 
 END = 0.5
 KERNEL = "smoothing=diffusion"
-# cells across the core, rings, layers; the mean size of a cell [mm], height of one [mm]
-MESHES = {"coarser": (4, 2, 9), "shipped": (4, 2, 12), "fine": (6, 3, 32), "finer": (8, 4, 62)}
-COLUMNS = {"clump-half": 12e-3, "sphere-half": 4e-3}  # twice the bodies' width [m]
+# cells across the core, rings, layers, None: as the case has them; the mean size of a cell [mm], height of one [mm]
+MESHES = {"coarser": (4, 2, 9), "shipped": None, "fine": (6, 3, 32), "finer": (8, 4, 62)}
+COLUMNS = {"clump-half": 16.87e-3, "sphere-half": 7e-3}  # 3.5 diameters of the bodies [m]
 CURVES = {"mean_height_m": ("mean height", 0.005), "interface_m": ("interface", 0.01)}
 
 
 def curves(case, mesh, tag, *settings):
-    core, ring, layers = MESHES[mesh]
-    words = [w for s in (f"core_cells={core}", f"ring_cells={ring}", f"layers={layers}", *settings)
-             for w in ("--set", s)]
+    cells = [f"{key}={n}" for key, n in zip(("core_cells", "ring_cells", "layers"), MESHES[mesh] or ())]
+    words = [w for s in (*cells, *settings) for w in ("--set", s)]
     folder = coupled.finished(case, f"mesh-independence/{case}-{mesh}-{tag}", "--no-pictures", "--end", str(END),
                               *words, limit=1800)
     return coupled.settling(folder)

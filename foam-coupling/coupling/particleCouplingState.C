@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -109,6 +110,20 @@ void Foam::particleCoupling::fitKernel()
     {
         const scalar bodies = session_->remoteTerms().bodyDiameter;
         smoothing_->fit(bodies > 0 ? bodies : diameters/volume);
+
+        const scalar longest =
+            gSum(smoothingModel::length(mesh_)*mesh_.V())/gSum(mesh_.V());
+        // all ranks alike: sums over them
+        if (longest > 1.5*smoothing_->bandwidth())
+        {
+            std::ostringstream os;
+            os  << "cells are " << longest << " m long in the mean, the"
+                << " smoothing's bandwidth is " << smoothing_->bandwidth()
+                << " m: the top of a suspension that settles along them hangs"
+                << " on the mesh by a percent or two; shorter cells, or a"
+                << " wider bandwidth, do not";
+            stats_.warn(os.str());
+        }
     }
 }
 

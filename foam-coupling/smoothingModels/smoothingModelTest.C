@@ -238,6 +238,9 @@ TEST(smoothing, bandwidthOfBodiesAndCells)
         EXPECT_NEAR(m->bandwidth(), 1.167, 1e-12);
     }
     EXPECT_FALSE(diffusion(c.mesh(), 0.5)->fits());
+    const scalarField sides(smoothingModel::length(c.mesh()));
+    EXPECT_NEAR(min(sides), 1, 1e-12);
+    EXPECT_NEAR(max(sides), 1, 1e-12);
 }
 
 

@@ -22,7 +22,7 @@ def values(name="clump-half", dem=1, cfd=1, **changes):
 
 def test_counts():
     p = plan.foresee(values())
-    assert (p.cells, p.spheres, p.steps, p.exchanges) == (576, 1890, 350000, 7000)
+    assert (p.cells, p.spheres, p.steps, p.exchanges) == (576, 1890, 448000, 7000)
     assert plan.foresee(values("column1890")).cells == 8 * 8 * 12
     assert plan.foresee(values("fluidised-bed", mesh="tet")).cells == 6 * 4 * 4 * 24
     assert plan.foresee(values("lattice-scene")).spheres == 8 * 8 * 24
@@ -46,7 +46,7 @@ def far_pairs(cutoff):
 
 def test_one_line():
     line = plan.foresee(values()).line()
-    assert re.fullmatch(r"plan: 576 cells, 1890 spheres, 350000 steps, 7000 exchanges; about 1\d\d MB of memory, "
+    assert re.fullmatch(r"plan: 576 cells, 1890 spheres, 448000 steps, 7000 exchanges; about 1\d\d MB of memory, "
                         r"\d+ MB of disk, \d+ s", line)
 
 

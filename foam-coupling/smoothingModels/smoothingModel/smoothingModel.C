@@ -72,6 +72,22 @@ Foam::tmp<Foam::scalarField> Foam::smoothingModel::thickness
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::smoothingModel::length(const fvMesh& mesh)
+{
+    auto result = tmp<scalarField>::New(mesh.nCells());
+    forAll(mesh.cells(), celli)
+    {
+        scalar smallest = VGREAT;
+        for (const label facei : mesh.cells()[celli])
+        {
+            smallest = min(smallest, mag(mesh.faceAreas()[facei]));
+        }
+        result.ref()[celli] = mesh.V()[celli]/smallest;
+    }
+    return result;
+}
+
+
 void Foam::smoothingModel::smooth(volScalarField& field) const
 {
     // all ranks alike: the model

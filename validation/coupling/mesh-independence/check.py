@@ -23,7 +23,7 @@ def curves(case, mesh, tag, *settings):
     words = [w for s in (*cells, *settings) for w in ("--set", s)]
     folder = coupled.finished(case, f"mesh-independence/{case}-{mesh}-{tag}", "--no-pictures", "--end", str(END),
                               *words, limit=1800)
-    return coupled.settling(folder)
+    return {**coupled.settling(folder), "warned": any("cells are" in w for w in coupled.cfd(folder)["warnings"])}
 
 
 def apart(mine, other, curve):
@@ -38,6 +38,9 @@ def run(checks):
     for case, width in COLUMNS.items():
         found = {mesh: curves(case, mesh, "auto", KERNEL) for mesh in MESHES}
         best = found["finer"]
+        # of spheres in cells more than twice as high as the kernel is wide, and of nothing else
+        checks.equal(f"{case}: meshes whose cells are warned of", [m for m in MESHES if found[m]["warned"]],
+                     ["coarser"] if case == "sphere-half" else [])
         # what a run moves by when it is disturbed by next to nothing
         again = curves(case, "finer", "again", KERNEL, "gravity=9.81000001")
         for curve, (name, gate) in CURVES.items():

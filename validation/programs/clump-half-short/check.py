@@ -28,7 +28,7 @@ def run(checks):
     checks.equal("keys missing in summary.json", " ".join(missing), "")
     checks.equal("particles", s["particles"], 1890)
     checks.equal("particles_lost", s["particles_lost"], 0)
-    checks.equal("dem_steps", s["dem_steps"], 2500)
+    checks.equal("dem_steps", s["dem_steps"], 3200)
     checks.equal("cfd_steps", s["cfd_steps"], 50)
     checks.close("simulated_s", s["simulated_s"], 0.05, 1e-9)
     checks.at_most("max_momentum_residual", s["max_momentum_residual"], 1e-10)

@@ -148,7 +148,7 @@ class Comparison:
         lines = [f"{v['spheres']:.0f} spheres, solid fraction {c.phi_0:.4f}, drag {v['drag']}, {len(self.runs)} seed"
                  + ("s" if len(self.runs) > 1 else "")
                  + f"; Re {float(c.law.reynolds(c.phi_0)):.0f}, single sphere {c.re_t:.0f}",
-                 f"bed's solid fraction {self.phi_m:.4f}, that of the settled beds: measured, but not from how they "
+                 f"bed's solid fraction {self.phi_m:.4f}, within the settled beds: measured, but not from how they "
                  "settle",
                  f"Kynch, flux of the drag law: {c.kynch.wave_type} from the bottom", c.waves(),
                  f"Richardson-Zaki, n = {c.rz.exponent:.3g}, v_t = {1e3 * c.v_t:.4g} mm/s: interface "

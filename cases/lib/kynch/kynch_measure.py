@@ -70,8 +70,16 @@ class Record:
 
     @property
     def packed(self):
-        """Mean solid fraction of the settled bed."""
-        return self.values["solid_fraction"] * self.values["fill_height"] / self.settled()
+        """Solid fraction of the settled bed, two diameters off its floor and its top, where single spheres stand
+        out; of a bed below six diameters, its mean."""
+        v, top = self.values, self.settled()
+        edge = 4 * v["sphere_radius"]
+        if top < 3 * edge:
+            return v["solid_fraction"] * v["fill_height"] / top
+        *_, (_, path) = spheres.dumps(self.folder)
+        low, high = profile(spheres.read(path), v["sphere_radius"], np.pi * v["tube_radius"]**2,
+                            np.array([edge, top - edge]))
+        return float(high - low) / (top - 2 * edge)
 
 
 def profile(s, radius, area, edges):

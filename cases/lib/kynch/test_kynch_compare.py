@@ -91,6 +91,17 @@ class MadeUpRun(unittest.TestCase):
         self.assertLess(found.row("mean_height_rms_late")["mean"], 1e-3)
         self.assertGreater(found.row("rms_over_height")["mean"], 0.02)
 
+    def test_the_bed_is_read_off_its_floor_and_top(self):
+        """Single spheres on the bed raise its top, and not its solid fraction."""
+        from cases.lib.kynch import kynch_measure
+        record = kynch_measure.Record(self.folders[0])
+        before = record.packed
+        record.top = record.top * 1.05
+        self.assertAlmostEqual(record.packed, before, delta=0.03 * before)
+        record.top = record.top * 0.3
+        mean = record.values["solid_fraction"] * record.values["fill_height"] / record.settled()
+        self.assertAlmostEqual(record.packed, mean)
+
     def test_program_writes_table_csv_json_pictures(self):
         out = os.path.join(self.store.name, "out")
         said = io.StringIO()

@@ -314,7 +314,7 @@ void Foam::smoothingModels::diffusion::fit(const scalar diameter)
     };
     bandwidth_ = rounded(max(3.5*diameter, 2*cells));
     prepared_ = false;
-    Info<< "clayFoam: smoothing: bandwidth " << bandwidth_
+    Info<< "smoothing: bandwidth " << bandwidth_
         << " m, the larger of 3.5 times the bodies' diameter, "
         << rounded(diameter) << " m, and twice the cells' thickness, "
         << rounded(cells) << " m" << endl;

@@ -37,7 +37,7 @@ struct DemTerms {
   std::array<bool, 3> periodic{};   ///< along x, y, z
   long particles = 0;               ///< number of particles in the coupled group
   double maxRadius = 0;             ///< [m]
-  double bodyDiameter = 0;          ///< of spheres of the clumps' volume, mean by volume; 0 without [m]
+  double bodyDiameter = 0;          ///< of a sphere of a clump's volume, mean; 0 without [m]
   FieldSet offers;                  ///< fields it can send
   FieldSet brings;        ///< fields it sends though they are not needed; its settings ask for them
   FieldSet needs;         ///< fields it must get

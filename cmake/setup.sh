@@ -4,16 +4,21 @@
 # Makes the project ready to run: installs the Debian packages that are missing
 # and builds both halves and their tests when a source is newer than the build;
 # with --programs what a run needs and no more. Silent when nothing is to be
-# done. A sourced OpenFOAM environment is used as it is.
+# done, else it shows how far it is. On a terminal it asks before it installs
+# with sudo, unless --yes is given. A sourced OpenFOAM environment is used as it is.
 #
-# Usage: cmake/setup.sh [--programs] [JOBS]
+# Usage: cmake/setup.sh [--programs] [--yes] [JOBS]
 set -euo pipefail
 
-what=tests
-if [ "${1:-}" = --programs ]; then
-    what=programs
+what=tests ask=yes
+while :; do
+    case ${1:-} in
+        --programs) what=programs ;;
+        --yes) ask=no ;;
+        *) break ;;
+    esac
     shift
-fi
+done
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 stamp="$top/build/.ready"
 # The OpenFOAM that FindOpenFOAM.cmake will take: all that it reads of a sourced
@@ -36,6 +41,49 @@ if { [ "$made" = "$flavour tests" ] || [ "$made" = "$flavour $what" ]; } &&
 fi
 
 fail() { echo "setup: $*" >&2; exit 1; }
+
+# One line, renewed in place on a terminal; elsewhere each is a line of its own
+width=0
+show() {
+    if [ -t 1 ]; then printf '\r%-*s' "$width" "$1"; width=${#1}; else printf '%s\n' "$1"; fi
+}
+shown() { [ "$width" = 0 ] || echo; }
+
+# Keeps what apt-get says in a file, and shows how many packages are there
+installing() {
+    local line all='?' fetched=0 ready=0
+    while IFS= read -r line; do
+        printf '%s\n' "$line" >> "$1"
+        case $line in
+            *" newly installed,"*) all=${line% newly installed,*} all=${all##* } ;;
+            Get:*) fetched=$((fetched + 1)) ;;
+            "Setting up "*) ready=$((ready + 1)) ;;
+            *) continue ;;
+        esac
+        if [ -t 1 ] || [ $(((fetched + ready) % 20)) = 0 ]; then
+            show "setup: installing: $fetched fetched, $ready of $all packages are set up"
+        fi
+    done
+    shown
+}
+
+# Keeps what the build says in a file, and shows its per cent
+building() {
+    local line part last=-10
+    while IFS= read -r line; do
+        printf '%s\n' "$line" >> "$1"
+        case $line in
+            "openfoam-headers: fetching"*) show "setup: ${line#openfoam-headers: }" ;;
+            "["*"%] "*)
+                part=${line%%\%*} part=${part#[} part=${part// /}
+                if [ "$part" -ge $((last + 10)) ] || { [ -t 1 ] && [ "$part" -gt "$last" ]; }; then
+                    show "setup: building: $part %"
+                    last=$part
+                fi ;;
+        esac
+    done
+    shown
+}
 
 packages=(cmake g++ make liggghts libliggghts-dev openmpi-bin libopenmpi-dev
     libeigen3-dev nlohmann-json3-dev librandom123-dev packmol
@@ -60,13 +108,21 @@ if [ "${#missing[@]}" != 0 ]; then
             fail "these packages are missing, and neither root nor sudo is at hand: ${missing[*]}"
         root=(sudo)
     fi
+    if [ "${#root[@]}" != 0 ] && [ "$ask" = yes ] && [ -t 0 ] && [ -t 2 ]; then
+        read -r -p "setup: install with sudo: ${missing[*]}? [Y/n] " answer || answer=no
+        case $answer in
+            "" | [Yy]*) ;;
+            *) fail "nothing was installed; these packages are missing: ${missing[*]}" ;;
+        esac
+    fi
     echo "setup: installing ${missing[*]}"
     apt_log=$(mktemp)
     trap 'rm -f "$apt_log"' EXIT
     "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq update > "$apt_log" 2>&1 ||
         fail "apt-get update failed: $(tail -n 1 "$apt_log")"
-    "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -y \
-        --no-install-recommends install "${missing[@]}" > "$apt_log" 2>&1 ||
+    # -y: what it does is shown, what it asks has been asked
+    "${root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -q -y \
+        --no-install-recommends install "${missing[@]}" < /dev/null 2>&1 | installing "$apt_log" ||
         fail "cannot install ${missing[*]}: $(grep '^E:' "$apt_log" | tail -n 1)"
 fi
 
@@ -97,6 +153,7 @@ echo "$flavour" > "$top/build/.flavour"
 began=$(mktemp "$top/build/.ready.XXXXXX")
 log="$top/build/setup.log"
 echo "setup: building (log in build/setup.log)"
+: > "$log"
 cd "$top"
 options=(-DCLAYFOAM_TESTS=ON) targets=()
 if [ "$what" = programs ]; then
@@ -106,7 +163,7 @@ if [ "$what" = programs ]; then
     [ -f build/CMakeCache.txt ] || options=(-DCLAYFOAM_TESTS=OFF)
 fi
 if ! { cmake --preset release "${options[@]}" &&
-       cmake --build --preset release -j"${1:-$(nproc)}" "${targets[@]}"; } > "$log" 2>&1; then
+       cmake --build --preset release -j"${1:-$(nproc)}" "${targets[@]}"; } 2>&1 | building "$log"; then
     rm -f "$began"
     fail "the build failed: $(complaint "$log") (log in build/setup.log)"
 fi

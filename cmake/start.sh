@@ -2,8 +2,9 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Sets the project up and runs one of its programs. Nothing is set up when
-# --no-setup comes first, nor where a list or help is asked for.
-# Usage: cmake/start.sh MODULE [--no-setup] [ARGUMENT ...]
+# --no-setup comes first, nor where a list or help is asked for. --yes, wherever
+# it stands, is for the set-up alone.
+# Usage: cmake/start.sh MODULE [--no-setup] [--yes] [ARGUMENT ...]
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 module=$1
@@ -15,8 +16,13 @@ if [ "${1:-}" = --no-setup ]; then
     shift
     setup=0
 fi
+words=()
 for word; do
-    case $word in -h | --help | --list | --keys) setup=0 ;; esac
+    case $word in
+        -h | --help | --list | --keys) setup=0 ;;
+        --yes) what+=(--yes); continue ;;
+    esac
+    words+=("$word")
 done
 [ "$setup" = 0 ] || "$top/cmake/setup.sh" "${what[@]}"
 [ -x /usr/bin/python3 ] || {
@@ -25,4 +31,4 @@ done
 }
 # Debian's own python3, by itself: another one on the PATH may lack numpy, and
 # neither the user's settings nor the current folder are to change what is loaded
-exec /usr/bin/python3 -E -s -B "$top" "$module" "$@"
+exec /usr/bin/python3 -E -s -B "$top" "$module" "${words[@]}"

@@ -17,6 +17,8 @@ def parser():
     p.add_argument("name", nargs="?", metavar="NAME", help="the case")
     p.add_argument("--list", action="store_true", help="list the cases and stop")
     p.add_argument("--keys", action="store_true", help="list the case's keys and stop")
+    # cmake/start.sh takes it
+    p.add_argument("--yes", action="store_true", help="install missing packages with sudo without asking")
     p.add_argument("--dem", type=int, metavar="N", help="ranks of the DEM half (1, or as before)")
     p.add_argument("--cfd", type=int, metavar="M", help="ranks of the CFD half (1, or as before)")
     p.add_argument("--end", metavar="T", help="simulated time in s, short for --set end=T")

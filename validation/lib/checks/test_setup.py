@@ -3,6 +3,7 @@
 Stand-ins for cmake and dpkg-query note how they are called; a build takes minutes."""
 
 import os
+import pty
 import shutil
 import subprocess
 
@@ -15,10 +16,21 @@ _STAND_INS = {
 echo "$@" >> "$NOTES/cmake"
 [ ! -f "$NOTES/error" ] || { cat "$NOTES/error"; exit 1; }
 mkdir -p build/bin && touch build/CMakeCache.txt
+case $1 in --build) for i in 3 9 10 11 52 99 100; do printf '[%3d%%] Building CXX object a.o\\n' $i; done;; esac
 for p in liggghts-clay clayFoam; do echo > build/bin/$p && chmod +x build/bin/$p; done
 """,
     "dpkg": "#!/bin/sh\necho /usr/share/packaged/etc/controlDict\n",
-    "dpkg-query": '#!/bin/sh\nfor last; do :; done\necho "$last" >> "$NOTES/packages"\necho installed\n',
+    "dpkg-query": '#!/bin/sh\nfor last; do :; done\necho "$last" >> "$NOTES/packages"\n'
+                  'case " $MISSING " in *" $last "*) echo no;; *) echo installed;; esac\n',
+    "id": "#!/bin/sh\necho ${ID:-0}\n",
+    "sudo": '#!/bin/sh\necho sudo >> "$NOTES/apt"\nexec "$@"\n',
+    "apt-get": """#!/bin/sh
+echo "$@" >> "$NOTES/apt"
+[ "$2" = update ] && exit 0
+echo "0 upgraded, 30 newly installed, 0 to remove and 0 not upgraded."
+for i in $(seq 30); do echo "Get:$i somewhere"; done
+for i in $(seq 30); do echo "Setting up p$i (1.0) ..."; done
+""",
 }
 
 
@@ -139,3 +151,70 @@ def test_a_build_that_fails_ends_with_its_complaint(project, text, said):
                           capture_output=True)
     assert done.returncode == 1
     assert done.stderr == f"setup: the build failed: {said} (log in build/setup.log)\n"
+
+
+def on_terminal(project, answer, *words):
+    """The exit code, what apt-get was called with, and what stood on the terminal."""
+    ours, theirs = pty.openpty()
+    (project.notes / "apt").write_text("")
+    os.write(ours, answer.encode())
+    process = subprocess.Popen([project.top / "cmake" / "setup.sh", *words], env=project.env, stdin=theirs,
+                               stdout=theirs, stderr=theirs)
+    os.close(theirs)
+    said = b""
+    try:
+        while part := os.read(ours, 4096):
+            said += part
+    except OSError:  # the other end is closed
+        pass
+    os.close(ours)
+    return process.wait(), (project.notes / "apt").read_text().splitlines(), said.decode()
+
+
+@pytest.fixture
+def user(project):
+    """A machine that lacks packages, of a user with sudo."""
+    project.env.update(ID="1000", MISSING="cmake packmol")
+    return project
+
+
+@pytest.mark.parametrize("answer, goes_on", [("y\n", True), ("\n", True), ("n\n", False), ("\4", False)])
+def test_asks_before_it_installs_with_sudo(user, answer, goes_on):
+    code, calls, said = on_terminal(user, answer, "--programs")
+    assert "setup: install with sudo: cmake packmol? [Y/n]" in said
+    assert (code == 0, "sudo" in calls) == (goes_on, goes_on)
+    assert ("setup: nothing was installed; these packages are missing: cmake packmol" in said) == (not goes_on)
+    assert any("install cmake packmol" in call for call in calls) == goes_on
+
+
+@pytest.mark.parametrize("uid, words, terminal", [("1000", ["--yes"], True), ("0", [], True), ("1000", [], False)])
+def test_does_not_ask(user, uid, words, terminal):
+    user.env["ID"] = uid
+    if terminal:
+        code, calls, said = on_terminal(user, "n\n", *words)
+        assert code == 0
+    else:
+        done = subprocess.run([user.top / "cmake" / "setup.sh"], env=user.env, check=True, text=True, input="n\n",
+                              capture_output=True)
+        calls, said = (user.notes / "apt").read_text().splitlines(), done.stdout + done.stderr
+    assert "[Y/n]" not in said
+    assert any("install cmake packmol" in call for call in calls)
+    assert ("sudo" in calls) == (uid != "0")
+
+
+def test_shows_how_far_it_is(user):
+    done = subprocess.run([user.top / "cmake" / "setup.sh"], env=user.env, check=True, text=True, capture_output=True,
+                          stdin=subprocess.DEVNULL)
+    assert done.stdout.splitlines() == [
+        "setup: installing cmake packmol", "setup: installing: 0 fetched, 0 of 30 packages are set up",
+        "setup: installing: 20 fetched, 0 of 30 packages are set up",
+        "setup: installing: 30 fetched, 10 of 30 packages are set up",
+        "setup: installing: 30 fetched, 30 of 30 packages are set up", "setup: building (log in build/setup.log)",
+        "setup: building: 3 %", "setup: building: 52 %", "setup: building: 99 %"]
+    assert (user.top / "build" / "setup.log").read_text().count("Building CXX") == 7
+
+
+def test_renews_one_line_on_a_terminal(user):
+    said = on_terminal(user, "n\n", "--yes")[2]
+    assert "".join(f"\rsetup: building: {i} %" for i in (3, 9, 10, 11, 52, 99, 100)) in said
+    assert "\rsetup: installing: 30 fetched, 29 of 30 packages are set up" in said

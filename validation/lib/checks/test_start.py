@@ -42,7 +42,9 @@ def test_all_launchers_are_known():
 @pytest.mark.parametrize("words, setup", [
     (["cases.one", "NAME"], "set-up --programs"), (["validation.two", "NAME"], "set-up"),
     (["cases.one", "--no-setup", "NAME"], None), (["cases.one", "--list"], None),
-    (["cases.one", "NAME", "--keys"], None), (["validation.two", "--help"], None), (["cases.one", "NAME", "-h"], None)])
+    (["cases.one", "NAME", "--keys"], None), (["validation.two", "--help"], None), (["cases.one", "NAME", "-h"], None),
+    (["cases.one", "--yes", "NAME"], "set-up --programs --yes"), (["validation.two", "NAME", "--yes"], "set-up --yes"),
+    (["cases.one", "--yes", "--list"], None), (["cases.one", "--no-setup", "--yes", "NAME"], None)])
 def test_what_is_set_up(words, setup, tmp_path):
     for name, text in {"cmake/setup.sh": '#!/bin/sh\necho set-up "$@"\n',
                        "cases/one.py": "import sys\nprint(sys.argv[1:])\n",
@@ -55,7 +57,7 @@ def test_what_is_set_up(words, setup, tmp_path):
     done = subprocess.run([tmp_path / "cmake" / "start.sh", *words], text=True, capture_output=True, check=True)
     *first, last = done.stdout.splitlines()
     assert first == ([setup] if setup else [])
-    assert last == str([w for w in words[1:] if w != "--no-setup"])
+    assert last == str([w for w in words[1:] if w not in ("--no-setup", "--yes")])
 
 
 @pytest.mark.parametrize("module, words", [

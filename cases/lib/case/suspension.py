@@ -74,6 +74,12 @@ def resolve(values):
         found["prime"] = prime(values["seed"])
     if "sphere_radius" not in values:
         return found
+    if "coulomb" in values:
+        from cases.lib.theory import screening
+        found["coulomb_law"], debye = values["coulomb"], screening.lengths(values)
+        if debye:
+            found["debye_length"] = debye[1]
+            found["coulomb_law"] += f" screened {debye[1]:.12g}"
     one = particle_volume(values)
     found["body_mass"] = values["density"] * one
     counted = next((k for k in ("clumps", "spheres") if k in values), None)

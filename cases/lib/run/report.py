@@ -15,6 +15,7 @@ from cases.lib.case import files, openfoam, program
 from cases.lib.case.casefile import TOP
 from cases.lib.case.errors import CaseError
 from cases.lib.run import series, state
+from cases.lib.theory import screening
 
 _DAY = 86400.0
 
@@ -107,7 +108,8 @@ def summary(case, run, derived, alone_s, lacking=""):
         "courant_max": cfd.get("courant_max"),
         "dem_alone_s": alone_s,
         "coupled_over_dem": round(run.wall / (alone_s or max(dem["dem_s"], 1e-9)), 4) if dem else None,
-        "warnings": dem.get("warnings", []) + cfd.get("warnings", []),
+        "warnings": dem.get("warnings", []) + cfd.get("warnings", []) +
+        screening.warnings({**case.values, **derived}, dem.get("max_overlap_over_d")),
     }
     files.write_json(os.path.join(run.folder, "summary.json"), s)
     return s

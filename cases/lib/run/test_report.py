@@ -61,6 +61,14 @@ def whole(made):
     os.remove(os.path.join(made.folder, "DEM", "spheres.000005000.dump"))
 
 
+def test_overlaps_of_the_size_of_the_debye_length(made, capsys):
+    whole(made)
+    made.case.set("salinity", "1e-5")  # a fifth of 0.096 mm is 0.0096 of 2 mm
+    assert made.finish() == 0
+    assert "warning: spheres overlap by 0.02 mm, more than a fifth" in capsys.readouterr().out
+    assert len(folders.summary(made.folder)["warnings"]) == 1
+
+
 def test_a_complete_run(made, capsys):
     whole(made)
     assert made.finish() == 0

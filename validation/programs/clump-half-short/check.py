@@ -41,3 +41,17 @@ def run(checks):
     checks.close("its days", curve["time_days"][-1], 0.05 * 9.49e5 / 86400, 1e-6)
     checks.true("the interface falls", curve["interface_m"][-1] < curve["interface_m"][0],
                 curve["interface_m"][-1], curve["interface_m"][0])
+    salty(checks)
+
+
+def salty(checks):
+    """With salt the DEM half has the Debye length of the model's scale, which is printed."""
+    outcome, folder = coupled.case("clump-half", "clump-half-salty", "--end", "0.02", "--no-pictures",
+                                   "--set", "salinity=1e-6", limit=300)
+    if not checks.equal("salinity: exit code", outcome.status, 0):
+        checks.true("salinity: what it said", False, outcome.output.strip()[-200:])
+        return
+    checks.true("salinity: both Debye lengths are said", "304 nm, at the model's scale 0.304 mm" in outcome.output)
+    with open(os.path.join(folder, "DEM", "log"), encoding="utf-8") as f:
+        checks.true("salinity: the script's law", "sharp screened 0.000304" in f.read())
+    checks.close("salinity: debye_length", coupled.summary(folder)["settings"]["debye_length"], 3.04e-4, 1e-12)

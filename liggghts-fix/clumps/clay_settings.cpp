@@ -84,6 +84,18 @@ class Reader {
 
 }
 
+// an atom type for each sphere, by its sign or as it was given
+static void give_types(ClaySettings &s, Reader &in)
+{
+  if (s.types.empty()) {
+    for (const auto &sphere : s.clump) s.types.push_back(sphere.positive ? s.positive : s.negative);
+    return;
+  }
+  if (s.types.size() != s.clump.size())
+    in.fail("sphere_types are " + std::to_string(s.types.size()) + "; the clump has " + std::to_string(s.clump.size()) +
+            " spheres, and each needs one");
+}
+
 ClaySettings LAMMPS_NS::read_clay_settings(LAMMPS *lmp, int narg, char **arg)
 {
   Reader in(lmp, narg, arg);
@@ -104,6 +116,9 @@ ClaySettings LAMMPS_NS::read_clay_settings(LAMMPS *lmp, int narg, char **arg)
     else if (key == "atom_types") {
       s.positive = in.count("atom_types, of positive spheres");
       s.negative = in.count("atom_types, of negative spheres");
+    } else if (key == "sphere_types") {
+      const int n = in.count(key + ", their number");
+      for (int i = 0; i < n; i++) s.types.push_back(in.count("sphere_types, of sphere " + std::to_string(i + 1)));
     } else if (key == "volume") s.overlaps_once = in.choice(key, "sum", "union");
     else if (key == "verbose") s.verbose = in.choice(key, "no", "yes");
     else if (key == "region" || key == "additional_group" || key == "volume_limit") {
@@ -123,10 +138,13 @@ ClaySettings LAMMPS_NS::read_clay_settings(LAMMPS *lmp, int narg, char **arg)
   if (s.seed.empty()) in.fail("'seed' is missing: a prime number above 10000 is needed");
   if (s.density == 0) in.fail("'density' is missing (kg/m3)");
   if (s.type == 0) in.fail("'type' is missing: the clump type, 1 for the first template");
-  if (s.positive == 0) in.fail("'atom_types' is missing: the atom types of positive and negative spheres");
+  if (s.positive == 0 && s.types.empty())
+    in.fail("'atom_types' is missing: the atom types of positive and negative spheres");
+  if (s.positive != 0 && !s.types.empty()) in.fail("'atom_types' and 'sphere_types' say the same thing: give one");
 
   if (generic) {
     if (s.clump.size() < 2) in.fail("'spheres' is missing or below 2: a clump has at least two spheres");
+    give_types(s, in);
     return s;
   }
   if (plate.radius == 0) in.fail("'radius' of the spheres is missing (m)");
@@ -143,5 +161,6 @@ ClaySettings LAMMPS_NS::read_clay_settings(LAMMPS *lmp, int narg, char **arg)
   }
   if (plate.layerSpacing == 0) plate.layerSpacing = plate.radius;
   s.clump = s.shape == "illite" ? clay::illitePlate(plate) : clay::kaolinitePlate(plate);
+  give_types(s, in);
   return s;
 }

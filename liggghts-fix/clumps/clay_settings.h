@@ -20,7 +20,8 @@ struct ClaySettings {
   clay::Clump clump;               ///< spheres as given [m]
   double density = 0;              ///< of the solid [kg/m3]
   int type = 0;                    ///< clump type
-  int positive = 0, negative = 0;  ///< atom types of the two charges
+  int positive = 0, negative = 0;  ///< atom types of the two charges; 0 where spheres have theirs
+  std::vector<int> types;          ///< atom type of each sphere
   bool overlaps_once = false;      ///< volume union
   bool verbose = false;
   std::vector<std::string> passed_on;  ///< keywords of the mother class, as they are

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -44,13 +45,6 @@ class ClayToInsert : public ParticleToInsertMultisphere {
   std::vector<int> types_;
 };
 
-std::vector<int> sphere_types(const ClaySettings &s)
-{
-  std::vector<int> types;
-  for (const auto &sphere : s.clump) types.push_back(sphere.positive ? s.positive : s.negative);
-  return types;
-}
-
 }
 
 // The command in the words of particletemplate/multisphere; made before, and
@@ -64,7 +58,7 @@ class FixTemplateClay::Words {
     add(arg[2]);
     add(s.seed);
     add("atom_type");
-    add(std::to_string(s.positive));
+    add(std::to_string(s.types[0]));
     for (const auto &w : s.passed_on) add(w);
     add("density");
     add("constant");
@@ -113,7 +107,7 @@ FixTemplateClay::FixTemplateClay(LAMMPS *lmp, const ClaySettings &s, char **arg)
 FixTemplateClay::FixTemplateClay(LAMMPS *lmp, const ClaySettings &s, Words &&words) :
   FixTemplateMultisphere(lmp, words.count(), words.list()), settings_(s)
 {
-  const std::vector<int> types = sphere_types(settings_);
+  const std::vector<int> &types = settings_.types;
   atom_type_sphere = new int[nspheres];
   for (int i = 0; i < nspheres; i++) atom_type_sphere[i] = types[i];
 
@@ -188,10 +182,13 @@ void FixTemplateClay::init()
   if (multisphere && (multisphere->groupbit & groupbit) == 0)
     error->fix_error(FLERR, this, "must be in the same group as fix multisphere");
 
-  for (int t : sphere_types(settings_))
+  for (int t : settings_.types)
     if (t > atom->ntypes) {
-      snprintf(text, sizeof text, "atom_types %d %d: the box has %d atom type(s); create_box sets their number",
-               settings_.positive, settings_.negative, atom->ntypes);
+      std::string words = "sphere_types has " + std::to_string(t);
+      if (settings_.positive)
+        words = "atom_types " + std::to_string(settings_.positive) + " " + std::to_string(settings_.negative);
+      snprintf(text, sizeof text, "%s: the box has %d atom type(s); create_box sets their number", words.c_str(),
+               atom->ntypes);
       error->fix_error(FLERR, this, text);
     }
 }
@@ -201,14 +198,14 @@ void FixTemplateClay::init()
 void FixTemplateClay::randomize_single()
 {
   FixTemplateMultisphere::randomize_single();
-  pti->atom_type = settings_.positive;
+  pti->atom_type = settings_.types[0];
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixTemplateClay::init_ptilist(int n, const bool, FixPropertyAtom *const)
 {
-  const std::vector<int> types = sphere_types(settings_);
+  const std::vector<int> &types = settings_.types;
   n_pti_max = n;
   pti_list = static_cast<ParticleToInsert **>(memory->smalloc(n * sizeof(ParticleToInsert *), "pti_list"));
   for (int i = 0; i < n; i++) pti_list[i] = new ClayToInsert(lmp, types);
@@ -219,20 +216,23 @@ void FixTemplateClay::init_ptilist(int n, const bool, FixPropertyAtom *const)
 void FixTemplateClay::print_info()
 {
   if (comm->me != 0) return;
-  int npositive = 0;
-  for (const auto &s : settings_.clump) npositive += s.positive;
+  std::map<int, int> counts;
+  for (int t : settings_.types) counts[t]++;
+  std::string kinds;
+  for (const auto &c : counts)
+    kinds += (kinds.empty() ? "" : ", ") + std::to_string(c.second) + " of atom type " + std::to_string(c.first);
 
   FILE *streams[2] = {screen, logfile};
   for (FILE *out : streams) {
     if (!out) continue;
     fprintf(out,
-            "Clay template %s (%s): %d spheres, %d of atom type %d and %d of type %d\n"
+            "Clay template %s (%s): %d spheres, %s\n"
             "  volume %.12g m3 (%s), mass %.12g kg\n"
             "  principal moments of inertia %.12g %.12g %.12g kg m2\n"
             "  bounding radius %.12g m, radius of equal volume %.12g m\n",
-            id, settings_.shape.c_str(), nspheres, npositive, settings_.positive, nspheres - npositive,
-            settings_.negative, volume_expect, settings_.overlaps_once ? "union of the spheres" : "sum of the spheres",
-            mass_expect, inertia_[0], inertia_[1], inertia_[2], r_bound, r_equiv);
+            id, settings_.shape.c_str(), nspheres, kinds.c_str(), volume_expect,
+            settings_.overlaps_once ? "union of the spheres" : "sum of the spheres", mass_expect, inertia_[0],
+            inertia_[1], inertia_[2], r_bound, r_equiv);
     if (!settings_.verbose) continue;
     fprintf(out, "  sphere: centre (m) from the centre of mass, radius (m), atom type, share of the volume\n");
     for (int i = 0; i < nspheres; i++)

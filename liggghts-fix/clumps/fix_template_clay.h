@@ -15,7 +15,7 @@ FixStyle(particletemplate/clay,FixTemplateClay)
 #ifndef LMP_FIX_TEMPLATE_CLAY_H
 #define LMP_FIX_TEMPLATE_CLAY_H
 
-#include <utility>
+#include <vector>
 
 #include "clumps/clay_settings.h"
 #include "fix_template_multisphere.h"
@@ -36,8 +36,8 @@ class FixTemplateClay : public FixTemplateMultisphere {
   const clay::Clump &clump() const { return settings_.clump; }
   /// Volume [m3], centre and inertia over density [m5] by the chosen counting.
   const clay::BodyGeometry &geometry() const { return geometry_; }
-  /// Atom types of positive and negative spheres.
-  std::pair<int, int> types() const { return {settings_.positive, settings_.negative}; }
+  /// Atom type of each sphere.
+  const std::vector<int> &types() const { return settings_.types; }
   double density() const { return settings_.density; }
   double mass() const { return settings_.density * geometry_.volume; }
 

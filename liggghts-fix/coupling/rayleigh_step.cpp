@@ -50,9 +50,10 @@ double LAMMPS_NS::rayleigh_step(LAMMPS *lmp, std::string *which)
   MPI_Allreduce(MPI_IN_PLACE, least.data(), least.size(), MPI_DOUBLE, MPI_MIN, lmp->world);
   for (int f = 0; f < lmp->modify->nfix; f++)
     if (const FixTemplateClay *t = dynamic_cast<FixTemplateClay *>(lmp->modify->fix[f]))
-      for (const auto &s : t->clump())
-        for (int type : {t->types().first, t->types().second})
-          least[type] = std::min(least[type], s.r * std::sqrt(t->density()));
+      for (std::size_t i = 0; i < t->clump().size(); i++) {
+        double &of_type = least[t->types()[i]];
+        of_type = std::min(of_type, t->clump()[i].r * std::sqrt(t->density()));
+      }
 
   // with the stiffest partner among the script's materials, walls among them
   double step = infinity;

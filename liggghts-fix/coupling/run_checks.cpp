@@ -148,7 +148,7 @@ double LAMMPS_NS::resting_step_limit(LAMMPS *lmp, std::string *which)
       radii.push_back(s.r);
       radius = std::max(radius, s.r);
     }
-    const int type = t->types().first;
+    const int type = t->types()[0];
     const int wall = walls.empty() ? type : walls[0]->atom_type_wall();
     const auto contacts = clay::restingContacts(centres, radii, model.between(type, wall, t->mass(), radius),
                                                 model.between(type, type, 0.5 * t->mass(), 0.5 * radius));

@@ -127,6 +127,40 @@ TEST(FixTemplateClay, shapeKeywords)
   EXPECT_NEAR(c->max_r_bound(), 1e-3 + std::sqrt(8e-6), 1e-9);
 }
 
+// a plate with one type in the middle of its faces and another around it, each with its charge
+TEST(FixTemplateClay, typesBySphere)
+{
+  Host host;
+  host(test::opening("f f f", "-0.02 0.02 -0.02 0.02 0 0.05") +
+       "region ins block -0.02 0.02 -0.02 0.02 0 0.05 units box\n" + test::material("coul/clump 0.006") +
+       "pair_coeff 1 1 coul/clump -2e-10\npair_coeff 2 2 coul/clump 1e-10\n"
+       "fix p all particletemplate/clay illite seed 15485863 type 1 radius 1e-3 density 2600 "
+       "sphere_types 14 1 2 2 2 2 2 2 1 2 2 2 2 2 2\n"
+       "fix pdd all particledistribution/discrete/numberbased 32452843 1 p 1.0\nfix ms all multisphere\n"
+       "fix ins all insert/pack seed 49979687 distributiontemplate pdd insert_every once overlapcheck yes "
+       "orientation random all_in yes vel constant 0 0 0 region ins particles_in_region 5 ntry_mc 10000\n"
+       "timestep 1e-6\nrun 1\n");
+  auto *f = dynamic_cast<LAMMPS_NS::FixTemplateClay *>(host.fix("p"));
+  EXPECT_EQ(f->types(), (std::vector<int>{1, 2, 2, 2, 2, 2, 2, 1, 2, 2, 2, 2, 2, 2}));
+  EXPECT_EQ(f->maxtype(), 2);
+  std::map<int, std::vector<test::Atom>> bodies;
+  for (const auto &a : host.atoms()) bodies[a.body].push_back(a);
+  ASSERT_EQ(bodies.size(), 5u);
+  for (const auto &b : bodies) {
+    int faces = 0;
+    double centre[3] = {0, 0, 0};
+    for (const auto &a : b.second)
+      for (int d = 0; d < 3; d++) centre[d] += a.x[d] / 14;
+    for (const auto &a : b.second) {
+      const double away = std::hypot(a.x[0] - centre[0], a.x[1] - centre[1], a.x[2] - centre[2]);
+      // middle of a face half a radius off the middle, the others two radii from the axis
+      EXPECT_NEAR(away, a.type == 1 ? 5e-4 : std::hypot(5e-4, 2e-3), 1e-6);
+      faces += a.type == 1;
+    }
+    EXPECT_EQ(faces, 2);
+  }
+}
+
 TEST(FixTemplateClay, besideAStockTemplate)
 {
   Host host;

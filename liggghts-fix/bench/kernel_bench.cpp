@@ -8,7 +8,8 @@ namespace {
 
 void contact(benchmark::State &state)
 {
-  clay::ContactScene scene(static_cast<int>(state.range(0)), static_cast<clay::NormalForce>(state.range(1)));
+  clay::ContactScene scene(static_cast<int>(state.range(0)), static_cast<clay::NormalForce>(state.range(1)),
+                           state.range(2) != 0);
   for (auto _ : state) scene.step();
   state.SetItemsProcessed(state.iterations() * scene.pairs.size());
 }
@@ -30,7 +31,7 @@ void packing(benchmark::State &state)
 
 }  // namespace
 
-BENCHMARK(contact)->ArgNames({"side", "hertz"})->Args({12, 0})->Args({12, 1})->Args({40, 0})->Args({40, 1});
+BENCHMARK(contact)->ArgNames({"side", "hertz", "rolling"})->ArgsProduct({{12, 40}, {0, 1}, {0, 1}});
 BENCHMARK(coulomb)->ArgNames({"side", "single"})->Args({4, 0})->Args({4, 1})->Args({8, 0})->Args({8, 1});
 BENCHMARK(packing)->Arg(2000)->Arg(50000);
 BENCHMARK_MAIN();

@@ -1,7 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a kernel once, for callgrind to count its instructions
 // (validation/cost/instructions): kernel_counts
-// contact|contact_hertz|coulomb|coulomb_single|screened|screened_single|dlvo|packing
+// contact|contact_hertz|contact_rolling|coulomb|coulomb_single|screened|screened_single|dlvo|packing
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -11,8 +11,9 @@
 int main(int argc, char **argv)
 {
   const std::string which = argc == 2 ? argv[1] : "";
-  if (which == "contact" || which == "contact_hertz") {
-    clay::ContactScene scene(12, which == "contact" ? clay::NormalForce::linear : clay::NormalForce::hertz);
+  if (which == "contact" || which == "contact_hertz" || which == "contact_rolling") {
+    clay::ContactScene scene(12, which == "contact" ? clay::NormalForce::linear : clay::NormalForce::hertz,
+                             which == "contact_rolling");
     scene.step();
     std::printf("pairs %d\n", scene.pairs.size());
     return std::isfinite(scene.f[0]) ? 0 : 1;
@@ -41,7 +42,8 @@ int main(int argc, char **argv)
     return scene.message.size() == 2000 * 8 + 2 ? 0 : 1;
   }
   std::fprintf(stderr,
-               "kernel_counts: choose contact, contact_hertz, coulomb, coulomb_single, "
-               "screened, screened_single, dlvo or packing\n");
+               "kernel_counts: choose contact, contact_hertz, contact_rolling, coulomb, coulomb_single, "
+               "screened, screened_single, dlvo or packing
+");
   return 1;
 }

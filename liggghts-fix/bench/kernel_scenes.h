@@ -13,19 +13,24 @@
 namespace clay {
 
 /// Spheres on a lattice a little closer than they are wide: every pair touches. Linear springs
-/// with friction, or Hertz's.
+/// with friction, or Hertz's; with rolling friction and cohesion.
 struct ContactScene {
   std::vector<double> x, v, omega, f, torque;
   ContactPairs pairs;
 
-  explicit ContactScene(int side, NormalForce normal = NormalForce::linear)
+  explicit ContactScene(int side, NormalForce normal = NormalForce::linear, bool rolling = false)
   {
     pairs.kind.normal = normal;
+    pairs.kind.rolling = rolling ? RollingTorque::sprung : RollingTorque::none;
+    pairs.kind.cohesion = rolling;
     const double r = 1e-3;
-    const double shear[3] = {1e-8, 2e-8, -1e-8};
+    const double shear[6] = {1e-8, 2e-8, -1e-8, 1e-9, 1e-9, 1e-9};
     ContactLaw law = {750, 750, 0.01, 0.01, 0.5};
     if (normal == NormalForce::hertz) law = hertzLaw(0.5 * r, 5e-6, 3e6, 7e5, -0.3);
     law.friction = 0.5;
+    law.rolling = 0.1;
+    law.radius = 0.5 * r;
+    law.cohesion = 1000;
     const auto at = [side](int i, int j, int k) { return (i * side + j) * side + k; };
     for (int i = 0; i < side; i++)
       for (int j = 0; j < side; j++)

@@ -17,7 +17,9 @@ constexpr double least = 1e-200;  // whose root is taken in place of 0's
 template <NormalForce NORMAL, TangentialForce TANGENTIAL, bool MORE>
 CLAY_INLINE void act(ContactBlock &b, const ContactSlice &s, const ContactStep &step, int n)
 {
-  const double dt = step.dt, fresh = step.fresh;
+  // numbers of the loop's own: a choice by what stands elsewhere keeps it from working on several pairs at once
+  const double dt = step.dt, fresh = step.fresh, least_pull = step.least, reduce = step.reduce;
+  const double wall = step.wall ? 1.0 : 0.0;
 #pragma omp simd simdlen(8)
   for (int k = 0; k < n; ++k) {
     const double dx = b.x[0][k], dy = b.x[1][k], dz = b.x[2][k];
@@ -49,13 +51,13 @@ CLAY_INLINE void act(ContactBlock &b, const ContactSlice &s, const ContactStep &
       gammat *= damp;
     }
     const double elastic = kn * delta, pull = elastic - gamman * vn;
-    double fn = pull > step.least ? pull : step.least, grip = fn;
+    double fn = pull > least_pull ? pull : least_pull, grip = fn;
     if (MORE) {  // cohesion
       const double gi = r - s.ri[k], gj = r - s.rj[k];
       const double lens = -0.25 * (r - reach) * (gi + s.rj[k]) * (gj + s.ri[k]) * (r + reach) * rinv * rinv;
-      const double cap = -gi * (r + s.ri[k]), held = -s.cohesion[k] * M_PI * (step.wall ? cap : lens);
+      const double cap = -gi * (r + s.ri[k]), held = -s.cohesion[k] * M_PI * (wall * cap + (1.0 - wall) * lens);
       fn += held;
-      grip += step.reduce * held;
+      grip += reduce * held;
     }
     const double limit = s.friction[k] * std::fabs(grip);
 
@@ -117,15 +119,17 @@ CLAY_INLINE void act(ContactBlock &b, const ContactSlice &s, const ContactStep &
 template <RollingTorque ROLLING>
 CLAY_INLINE void roll(ContactBlock &b, const ContactSlice &s, const ContactStep &step, int n)
 {
+  const double turns = step.roll, fresh = step.fresh, still = step.still;
+  const double wall = step.wall ? 1.0 : 0.0;
 #pragma omp simd simdlen(8)
   for (int k = 0; k < n; ++k) {
     const double nx = b.n[0][k], ny = b.n[1][k], nz = b.n[2][k];
-    const double level = step.wall ? b.level[k] : 1.0;
+    const double level = wall * b.level[k] + (1.0 - wall);
     double wx = level * (b.wi[0][k] - b.wj[0][k]);
     double wy = level * (b.wi[1][k] - b.wj[1][k]);
     double wz = level * (b.wi[2][k] - b.wj[2][k]);
     const double w2 = wx * wx + wy * wy + wz * wz;
-    const double about = step.still * (wx * nx + wy * ny + wz * nz);
+    const double about = still * (wx * nx + wy * ny + wz * nz);
     wx -= about * nx;
     wy -= about * ny;
     wz -= about * nz;
@@ -139,7 +143,7 @@ CLAY_INLINE void roll(ContactBlock &b, const ContactSlice &s, const ContactStep 
       tz = size * wz;
     } else {
       const double ox = s.qx[k], oy = s.qy[k], oz = s.qz[k];
-      const double turn = step.roll * b.kt[k] * s.reach[k] * s.reach[k];
+      const double turn = turns * b.kt[k] * s.reach[k] * s.reach[k];
       const double hx = ox + turn * wx, hy = oy + turn * wy, hz = oz + turn * wz;
       const double h2 = hx * hx + hy * hy + hz * hz;
       const double hinv = invSqrt(h2 > least ? h2 : least), most = b.grip[k] * s.reach[k] * s.rolling[k];
@@ -147,7 +151,7 @@ CLAY_INLINE void roll(ContactBlock &b, const ContactSlice &s, const ContactStep 
       tx = share * hx;
       ty = share * hy;
       tz = share * hz;
-      const bool touch = b.grip[k] >= 0.0, keep = !touch || step.fresh == 0.0;
+      const bool touch = b.grip[k] >= 0.0, keep = !touch || fresh == 0.0;
       s.qx[k] = keep ? ox : tx;
       s.qy[k] = keep ? oy : ty;
       s.qz[k] = keep ? oz : tz;

@@ -16,6 +16,7 @@ GROWTH = 0.05
 KERNELS = {
     "contact": ("kernel_counts", ["contact"], "clay::contactForces*"),
     "contact_hertz": ("kernel_counts", ["contact_hertz"], "clay::contactForces*"),
+    "contact_rolling": ("kernel_counts", ["contact_rolling"], "clay::contactForces*"),
     "coulomb": ("kernel_counts", ["coulomb"], "clay::ChargeGroups::act*"),
     "coulomb_single": ("kernel_counts", ["coulomb_single"], "clay::ChargeGroups::act*"),
     "screened": ("kernel_counts", ["screened"], "clay::ChargeGroups::act*"),

@@ -43,7 +43,6 @@ int main(int argc, char **argv)
   }
   std::fprintf(stderr,
                "kernel_counts: choose contact, contact_hertz, contact_rolling, coulomb, coulomb_single, "
-               "screened, screened_single, dlvo or packing
-");
+               "screened, screened_single, dlvo or packing\n");
   return 1;
 }

@@ -87,8 +87,8 @@ struct DlvoScene {
     law.debye = 3e-4;
     law.hamaker = 1e-14;
     law.contact = 2e-5;
-    law.gap = 2e-3;
-    law.cutoff = 2e-3 + law.gap;
+    law.gap = 4e-3;
+    law.cutoff = 2e-3 + law.gap;  // clumps lie 5 mm apart
     groups = CoulombScene(side).groups;
     for (double& q : groups.q) q = q > 0 ? 0.02 : -0.05;
     groups.radius.assign(groups.q.size(), 1e-3);

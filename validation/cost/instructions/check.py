@@ -39,6 +39,10 @@ def count(program, arguments, function):
         ["valgrind", "--tool=callgrind", "--trace-children=yes", "--collect-atstart=no",
          f"--toggle-collect={function}",
          f"--callgrind-out-file={os.path.join(folder, program)}.%p", path, *arguments], 300)
+    # a kernel that had nothing to do counts for nothing
+    if outcome.status != 0:
+        raise Broken(f"{program} {' '.join(arguments)} ended with {outcome.status}: "
+                     f"{outcome.output.strip().splitlines()[-1:]}")
     found = re.search(r"Collected : (\d+)", outcome.output)
     if not found or int(found.group(1)) == 0:
         raise Broken(f"callgrind counted nothing in {function} of {program}: "

@@ -39,7 +39,8 @@ FEATURES = {
 # with clump_drag=resistance, whose start takes longer under callgrind than all the rest: seen once, see README.md
 SEEN_ONCE = ("a clump's own resistance",)
 
-_SMALL = {"end": 0.0035, "frames": 7, "core_cells": 1, "ring_cells": 1, "layers": 6, "fill_height": 0.03, "rest": "no"}
+_SMALL = {"end": 0.0035, "dem_step": 2e-5, "frames": 7, "core_cells": 1, "ring_cells": 1, "layers": 6,
+          "fill_height": 0.03, "rest": "no", "smoothing": "none"}
 _FORCES = "pressureGradient+buoyancy"
 # scene: case, values, lines that come before the fluid's
 SCENES = {

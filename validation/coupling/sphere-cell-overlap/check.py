@@ -42,13 +42,13 @@ def run(checks):
     checks.close("cells: sum of the field over all cells [m3]", np.sum(solid), spheres, 1e-9)
 
     # the tube's mesh is a polygon in which the DEM's cylinder does not quite fit
-    tube = ("--end", "0.005", "--set", "frames=1")
+    tube = ("--end", "0.005", "--set", "frames=1", "--set", "smoothing=none")
     for case, scheme, ranks, more in (
             ("overlap-scene", "exactOverlap", "2", ()), ("overlap-scene", "divided", "2", ()),
             ("sphere-half", "exactOverlap", "1", tube), ("sphere-half", "exactOverlap", "2", tube),
             ("sphere-half", "divided", "2", tube), ("sphere-half", "centre", "2", tube),
-            ("sphere-half", "exactOverlap", "2", (*tube, "--set", "smoothing=diffusion"))):
-        where = "cells" if case == "overlap-scene" else "tube, smoothed" if len(more) > 4 else "tube"
+            ("sphere-half", "exactOverlap", "2", (*tube[:-1], "smoothing=diffusion"))):
+        where = "cells" if case == "overlap-scene" else "tube, smoothed" if "smoothing=diffusion" in more else "tube"
         folder = coupled.finished(case, f"sphere-cell-overlap/{where.replace(', ', '-')}-{scheme}-{ranks}",
                                   "--no-pictures", "--cfd", ranks, "--set", f"void_fraction={scheme}", *more)
         row = f"{scheme}, {where}, 1 + {ranks} ranks: "

@@ -18,9 +18,16 @@ def stiffer(values, factor):
 
 
 def finer_step(values, parts):
-    """A DEM step of that part, at the same coupling interval."""
-    return {"dem_step": float(f"{values['dem_step'] / parts:.12g}"),
-            "coupling_steps": max(1, round(values["coupling_steps"] * parts))}
+    """A DEM step of about that part, at the same coupling interval."""
+    every = max(1, round(values["coupling_steps"] * parts))
+    return {"dem_step": float(f"{values['dem_step'] * values['coupling_steps'] / every:.12g}"), "coupling_steps": every}
+
+
+def interval(values, factor, window):
+    """Steps of a coupling interval near that many times as long, of which the window [s] is a whole number."""
+    steps, wanted = round(window / values["dem_step"]), values["coupling_steps"] * factor
+    whole = [n for n in range(1, int(2 * wanted) + 2) if steps % n == 0]
+    return min(whole, key=lambda n: abs(math.log(n / wanted)))
 
 
 def settings(values, quick=False):
@@ -36,7 +43,7 @@ def settings(values, quick=False):
     for factor in (4,) if quick else (0.25, 0.5, 4, 25, 100):
         add("stiffness", values["stiffness"] * factor, stiffer(values, factor))
     for factor in (0.2, 2) if quick else (0.2, 0.4, 2, 4, 8):
-        every = max(1, round(values["coupling_steps"] * factor))
+        every = interval(values, factor, WINDOW["quick" if quick else "full"])
         add("coupling_steps", every, {"coupling_steps": every})
     if "cutoff" in values:
         for factor in (0.5,) if quick else (0.33, 0.5, 0.75, 1.5):

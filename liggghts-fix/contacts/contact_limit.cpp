@@ -103,17 +103,18 @@ double rayleighTime(double size, double modulus, double poisson)
 
 // k_n such that an elastic impact at the characteristic velocity reaches the
 // overlap it has by Hertz's law; damping from the restitution
-double attractedOverlap(double pull, double stiffness, double diameter)
+double attractedOverlap(const std::function<double(double)>& pull, double stiffness, double diameter)
 {
-  const double share = pull / (stiffness * diameter * diameter * diameter);
-  if (!(share <= 4.0 / 27.0)) return std::numeric_limits<double>::infinity();
-  // x (1 - x)^2 = share has its stable root below 1/3
-  double low = 0.0, high = 1.0 / 3.0;
-  for (int i = 0; i < 60; ++i) {
-    const double x = 0.5 * (low + high);
-    (x * (1 - x) * (1 - x) < share ? low : high) = x;
+  const auto held = [&](double x) { return stiffness * x * diameter >= pull(diameter * (1 - x)); };
+  if (held(0)) return 0;
+  const int steps = 3000;  // to find the least: a pull that grows may overtake the spring again
+  for (int i = 1; i < steps; ++i) {
+    double low = double(i - 1) / steps, high = double(i) / steps;
+    if (!held(high)) continue;
+    for (int k = 0; k < 50; ++k) (held(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+    return high;
   }
-  return low;
+  return std::numeric_limits<double>::infinity();
 }
 
 ContactCoefficients hookeCoefficients(double radius, double mass, double modulus, double velocity, double restitution)

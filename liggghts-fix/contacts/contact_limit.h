@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <functional>
 #include <vector>
 
 namespace clay {
@@ -58,10 +59,10 @@ struct ContactBound {
 /// k dt2/4 + c dt/2 = 1 solved for dt; k [1/s2] and c [1/s] are per mass.
 double oscillatorStep(double k, double c);
 
-/// Overlap over the diameter of two spheres in contact that attract each other
-/// with pull/r2 (pull [N m2]) against a spring [N/m]; infinite when the spring
-/// does not hold them, which is above 4/27 of stiffness times diameter cubed.
-double attractedOverlap(double pull, double stiffness, double diameter);
+/// Overlap over the diameter [m] of two spheres in contact that attract each other with
+/// pull(r) [N] at a distance of r [m] against a spring [N/m]: the least; infinite when the
+/// spring does not hold them.
+double attractedOverlap(const std::function<double(double)>& pull, double stiffness, double diameter);
 
 /// Coefficients of LIGGGHTS's model hooke for an effective radius [m] and mass
 /// [kg], effective modulus [Pa], characteristic velocity [m/s], restitution.

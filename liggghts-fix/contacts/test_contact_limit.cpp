@@ -196,14 +196,20 @@ TEST(ContactLimit, hookeModelAgainstTable)
 TEST(ContactLimit, attractedSpheresRestWhereTheSpringHoldsThem)
 {
   const double d = 2e-3, k = 750;
+  const auto overlap = [=](double pull) {
+    return clay::attractedOverlap([=](double r) { return pull / (r * r); }, k, d);
+  };
   for (double share : {1e-4, 0.02, 0.14}) {
-    const double pull = share * k * d * d * d, x = clay::attractedOverlap(pull, k, d);
+    const double pull = share * k * d * d * d, x = overlap(pull);
     EXPECT_NEAR(k * x * d, pull / (d * d * (1 - x) * (1 - x)), 1e-9 * k * d);
     EXPECT_LT(x, 1.0 / 3.0);
   }
-  EXPECT_NEAR(clay::attractedOverlap(4.0 / 27.0 * k * d * d * d * (1 - 1e-12), k, d), 1.0 / 3.0, 1e-5);
-  EXPECT_TRUE(std::isinf(clay::attractedOverlap(0.149 * k * d * d * d, k, d)));
-  EXPECT_EQ(clay::attractedOverlap(0, k, d), 0);
+  // x (1 - x)^2 is 4/27 at most
+  EXPECT_NEAR(overlap(0.999999 * 4.0 / 27.0 * k * d * d * d), 1.0 / 3.0, 1e-3);
+  EXPECT_TRUE(std::isinf(overlap(0.149 * k * d * d * d)));
+  EXPECT_EQ(overlap(0), 0);
+  // a force that does not change is held deeper
+  EXPECT_NEAR(clay::attractedOverlap([=](double) { return 0.2 * k * d; }, k, d), 0.2, 1e-12);
 }
 
 // t = pi r sqrt(density/G)/(0.1631 nu + 0.8766), G = Y/(2 (1 + nu)); glass of 1 mm

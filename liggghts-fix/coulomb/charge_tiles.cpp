@@ -123,7 +123,7 @@ CLAY_INLINE void actOn(const PairsInReach& pairs, const Law& law, const std::vec
   constexpr int N = ChargeTiles<Real>::LANES, PART = Pack<Real, BYTES>::SIZE;
   const Numbers zero = {};
   const Real shift = static_cast<Real>(law.shift), least = leastOf(Real());
-  const Real decay = static_cast<Real>(law.decay);
+  const Real decay = static_cast<Real>(law.decay), from = static_cast<Real>(law.decay * law.near);
   const double length = 1 / law.cutoff;
   Rows<Real> row;
 
@@ -181,8 +181,9 @@ CLAY_INLINE void actOn(const PairsInReach& pairs, const Law& law, const std::vec
               }
               Numbers slope = inv * inv;
               if (KIND == Kind::screened) {
+                const Numbers power = from - decay * (r2 * inv), most = zero + Real(screeningMost);
                 Numbers screening;
-                expOf<BYTES>(-decay * (r2 * inv), screening);
+                expOf<BYTES>(power < most ? power : most, screening);
                 slope = screening * (inv * (inv + decay));
               }
               const Numbers uncut = (slope - shift) * (inv * one.q[i]);

@@ -29,12 +29,16 @@ struct Wrench {
   double f[3], t[3];
 };
 
-/// F = q q (exp(-decay r) (1/r2 + decay/r) - shift) for r < 1, in units of the cut-off, the largest
-/// charge, and `force` [N]; without decay that is q q (1/r2 - shift).
+/// An exponent of the screening that no pair goes beyond, however deep its spheres are in each other.
+constexpr double screeningMost = 60;
+
+/// F = q q (exp(decay (near - r)) (1/r2 + decay/r) - shift) for r < 1, in units of the cut-off, the
+/// largest charge, and `force` [N]; without decay that is q q (1/r2 - shift).
 struct TileLaw {
   double cutoff;  ///< [m]
   double shift, force;
-  double decay;  ///< cut-off over Debye length
+  double decay;     ///< cut-off over Debye length
+  double near = 0;  ///< in cut-offs
 };
 
 /// F = R (repulsion q q exp(-decay h) - attraction/(h2 (1 + retardation h))) for gaps h < gap, with

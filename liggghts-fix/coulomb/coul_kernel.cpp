@@ -8,6 +8,11 @@
 
 namespace clay {
 
+double CoulombLaw::weight(double a) const
+{
+  return debye > 0 && spheres ? std::exp((a - 0.5 * near) / debye) / (1 + a / debye) : 1;
+}
+
 double CoulombLaw::forceOverDistance(double qq, double r) const
 {
   if (r >= cutoff) return 0;
@@ -161,8 +166,9 @@ void ChargeGroups::act(const CoulombLaw& law)
 {
   refresh(law.cutoff);
   const double decay = law.debye > 0 ? law.cutoff / law.debye : 0;
-  const double shift = law.shifted ? std::exp(-decay) * (1 + decay) : 0;
-  const TileLaw scaled = {law.cutoff, shift, law.k * largest_ * largest_ / (law.cutoff * law.cutoff), decay};
+  const double near = law.near / law.cutoff;
+  const double shift = law.shifted ? std::exp(decay * (near - 1)) * (1 + decay) : 0;
+  const TileLaw scaled = {law.cutoff, shift, law.k * largest_ * largest_ / (law.cutoff * law.cutoff), decay, near};
   const Places at = {x.data(), y.data(), z.data()};
   const Forces f = {fx.data(), fy.data(), fz.data()};
   if (single) clay::act(pairs_, scaled, groups, at, floats_, wrenches, f);

@@ -3,6 +3,7 @@
 /// Coulomb forces between groups of charged spheres, cut off at a distance.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -13,21 +14,27 @@
 namespace clay {
 
 /// F = k q_i q_j / r2 for r < cutoff; shifted: F = k q_i q_j (1/r2 - 1/cutoff2).
-/// Screened with Debye length L: F = k q_i q_j exp(-r/L) (1/r2 + 1/(L r)), and shifted
+/// Screened with Debye length L: F = k q_i q_j exp((near - r)/L) (1/r2 + 1/(L r)), and shifted
 /// by its own value at the cut-off. Each follows from a potential that is zero there.
+/// `near` keeps numbers in range: weight() has it, too. The charges of these laws are
+/// true ones times their weights.
 struct CoulombLaw {
   double k = 8.9875517873681764e9;  ///< 1/(4 pi eps0 eps_r) [N m2/C2]
   double cutoff = 0;                ///< [m]
   bool shifted = false;
-  double debye = 0;  ///< Debye length [m]; 0: not screened
+  double debye = 0;      ///< Debye length [m]; 0: not screened
+  bool spheres = false;  ///< screened by ions that stay outside of the spheres, or else as points
+  double near = 0;       ///< distance from which the screening is counted [m]
 
+  /// What a charge counts on a sphere of radius a [m]: exp((a - near/2)/L)/(1 + a/L) if `spheres`.
+  double weight(double a) const;
   /// Force over distance for two charges a distance r apart [N/m].
   double forceOverDistance(double qq, double r) const;
   /// Their energy [J].
   double energy(double qq, double r) const;
 
  private:
-  double screening(double r) const { return debye > 0 ? std::exp(-r / debye) : 1; }
+  double screening(double r) const { return debye > 0 ? std::exp(std::min(screeningMost, (near - r) / debye)) : 1; }
   /// Force of two unit charges over k, uncut [1/m2].
   double slope(double r) const { return screening(r) * (1 / (r * r) + (debye > 0 ? 1 / (debye * r) : 0)); }
 };

@@ -72,6 +72,16 @@ double PairClump::largest_radius() const
   return std::max(largest, all);
 }
 
+double PairClump::smallest_radius() const
+{
+  double largest = 0.0, smallest = 0.0;
+  modify->max_min_rad(largest, smallest);
+  double mine = largest > 0.0 ? smallest : HUGE_VAL, all = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) mine = std::min(mine, atom->radius[i]);
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MIN, world);
+  return std::isfinite(all) ? all : 0.0;
+}
+
 /* ---------------------------------------------------------------------- */
 
 void PairClump::start(bool active)
@@ -147,8 +157,7 @@ bool PairClump::same_bodies() const
     const clay::ChargeGroup &group = groups_.groups[g];
     if (group.loose() || !group.acted) return false;  // spheres that were ghosts are this processor's now
     for (int k = group.begin; k < group.end; k++)
-      if (multisphere_->belongs_to(order_[k]) != group.body || strength(atom->type[order_[k]]) != groups_.q[k])
-        return false;
+      if (multisphere_->belongs_to(order_[k]) != group.body || strength(order_[k]) != groups_.q[k]) return false;
   }
   return true;
 }
@@ -195,7 +204,7 @@ void PairClump::lay_out()
   for (std::size_t k = 0; k < places.size(); k++) {
     const int i = places[k].atom;
     order_.push_back(i);
-    groups_.add(x[i][0], x[i][1], x[i][2], strength(atom->type[i]));
+    groups_.add(x[i][0], x[i][1], x[i][2], strength(i));
     if (with_radii()) groups_.radius.push_back(atom->radius[i]);
     if (k + 1 == places.size() || !places[k].same_group(places[k + 1])) groups_.close(places[k].body, !places[k].ghost);
   }

@@ -34,8 +34,8 @@ class PairClump : public Pair {
   bigint evaluations() const { return evaluations_; }
 
  protected:
-  /// What a sphere of an atom type acts with, in the law's unit.
-  virtual double strength(int type) const = 0;
+  /// What atom i acts with, in the law's unit.
+  virtual double strength(int i) const = 0;
   virtual bool takes_part(int type) const = 0;
   virtual bool with_radii() const { return false; }
   /// Sets the groups' forces.
@@ -45,6 +45,7 @@ class PairClump : public Pair {
 
   void allocate_tables();
   double largest_radius() const;
+  double smallest_radius() const;
   /// Of a run; active: any sphere acts.
   void start(bool active);
   bool one_body(int i, int j) const;

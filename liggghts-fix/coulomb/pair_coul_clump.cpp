@@ -63,8 +63,12 @@ void PairCoulClump::parse(int narg, char **arg)
     if (word == "sharp") law_.shifted = false;
     else if (word == "shifted") law_.shifted = true;
     else if (word == "permittivity" && i + 1 < narg) permittivity_ = clay::positiveNumber(word, arg[++i]);
-    else if (word == "screened" && i + 1 < narg) law_.debye = clay::positiveNumber(word, arg[++i]);
-    else if (word == "every" && i + 1 < narg) {
+    else if (word == "screened" && i + 1 < narg) {
+      law_.debye = clay::positiveNumber(word, arg[++i]);
+      law_.spheres = true;
+      if (i + 1 < narg && (!strcmp(arg[i + 1], "spheres") || !strcmp(arg[i + 1], "points")))
+        law_.spheres = !strcmp(arg[++i], "spheres");
+    } else if (word == "every" && i + 1 < narg) {
       every_ = static_cast<int>(clay::wholeNumber(word, arg[++i], 1, INT_MAX));
       if (i + 1 < narg && strcmp(arg[i + 1], "impulse") == 0) {
         hold_ = false;
@@ -78,7 +82,8 @@ void PairCoulClump::parse(int narg, char **arg)
     else
       throw std::invalid_argument("'" + word +
                                   "' is not understood: sharp, shifted, permittivity EPS, "
-                                  "screened LAMBDA, every N [impulse|hold], double or single may follow the cut-off");
+                                  "screened LAMBDA [spheres|points], every N [impulse|hold], double or single may "
+                                  "follow the cut-off");
   }
   law_.k /= permittivity_;
 }
@@ -135,6 +140,18 @@ void PairCoulClump::init_style()
              law_.cutoff, 2.0 * largest);
     error->all(FLERR, text);
   }
+  law_.near = 0.0;
+  if (charged && law_.debye > 0.0 && law_.spheres && atom->radius_flag) {
+    const double smallest = smallest_radius();
+    if (largest - smallest > 30.0 * law_.debye) {
+      snprintf(text, sizeof text,
+               "Pair style coul/clump: radii of %g to %g m differ by more than 30 Debye lengths of %g m; take a longer "
+               "one, or 'screened %g points'",
+               smallest, largest, law_.debye, law_.debye);
+      error->all(FLERR, text);
+    }
+    law_.near = 2.0 * smallest;
+  }
   start(charged);
 }
 
@@ -162,8 +179,8 @@ void PairCoulClump::read_restart(FILE *fp, const int major, const int minor)
 
 void PairCoulClump::write_restart_settings(FILE *fp)
 {
-  // bits of the form: 1 shifted, 2 screened, whose Debye length follows
-  const double form = (law_.shifted ? 1.0 : 0.0) + (law_.debye > 0.0 ? 2.0 : 0.0);
+  // bits of the form: 1 shifted, 2 screened, whose Debye length follows, 4 ions stay outside of the spheres
+  const double form = (law_.shifted ? 1.0 : 0.0) + (law_.debye > 0.0 ? 2.0 : 0.0) + (law_.spheres ? 4.0 : 0.0);
   const double kept[7] = {
       law_.cutoff, form, permittivity_, static_cast<double>(every_), hold_ ? 1.0 : 0.0, groups_.single ? 1.0 : 0.0,
       law_.debye};
@@ -180,7 +197,8 @@ void PairCoulClump::read_restart_settings(FILE *fp, const int, const int)
   MPI_Bcast(kept, 7, MPI_DOUBLE, 0, world);
   law_ = clay::CoulombLaw();
   law_.cutoff = kept[0];
-  law_.shifted = kept[1] == 1.0 || kept[1] == 3.0;
+  law_.shifted = static_cast<int>(kept[1]) & 1;
+  law_.spheres = static_cast<int>(kept[1]) & 4;
   law_.debye = kept[6];
   permittivity_ = kept[2];
   law_.k /= permittivity_;
@@ -190,6 +208,12 @@ void PairCoulClump::read_restart_settings(FILE *fp, const int, const int)
 }
 
 /* ---------------------------------------------------------------------- */
+
+double PairCoulClump::strength(int i) const
+{
+  const double a = atom->radius_flag ? atom->radius[i] : 0.0;
+  return charge_[atom->type[i]] * law_.weight(a);
+}
 
 double PairCoulClump::between(int a, int b, double r, double &f) const
 {
@@ -204,7 +228,8 @@ double PairCoulClump::single(int i, int j, int itype, int jtype, double rsq, dou
 {
   fforce = 0.0;
   if (one_body(i, j)) return 0.0;
-  const double r = sqrt(rsq), qq = charge_[itype] * charge_[jtype];
+  const double ai = atom->radius_flag ? atom->radius[i] : 0.0, aj = atom->radius_flag ? atom->radius[j] : 0.0;
+  const double r = sqrt(rsq), qq = charge_[itype] * law_.weight(ai) * charge_[jtype] * law_.weight(aj);
   fforce = law_.forceOverDistance(qq, r);
   return law_.energy(qq, r);
 }

@@ -2,8 +2,8 @@
    This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 
    pair_style coul/clump cutoff [sharp|shifted] [permittivity eps_r]
-                         [screened lambda] [every N [impulse|hold]]
-                         [double|single]
+                         [screened lambda [spheres|points]]
+                         [every N [impulse|hold]] [double|single]
    Coulomb forces between the charged spheres of different bodies.
 ------------------------------------------------------------------------- */
 
@@ -42,7 +42,7 @@ class PairCoulClump : public PairClump {
   double charge(int type) const { return charge_[type]; }
 
  protected:
-  double strength(int type) const { return charge_[type]; }
+  double strength(int i) const;
   bool takes_part(int type) const { return charge_[type] != 0.0; }
   void evaluate() { groups_.act(law_); }
   double between(int a, int b, double r, double &f) const;

@@ -146,7 +146,9 @@ void PairDlvoClump::init_style()
 
 /* ---------------------------------------------------------------------- */
 
-double PairDlvoClump::strength(int type) const { return clay::effectivePotential(potential_[type], temperature_); }
+double PairDlvoClump::effective(int type) const { return clay::effectivePotential(potential_[type], temperature_); }
+
+double PairDlvoClump::strength(int i) const { return effective(atom->type[i]); }
 
 double PairDlvoClump::of_two(double yy, double ri, double rj, double r, double &f) const
 {
@@ -164,7 +166,7 @@ double PairDlvoClump::single(int i, int j, int itype, int jtype, double rsq, dou
 {
   fforce = 0.0;
   if (one_body(i, j) || !takes_part(itype) || !takes_part(jtype)) return 0.0;
-  return of_two(strength(itype) * strength(jtype), atom->radius[i], atom->radius[j], sqrt(rsq), fforce);
+  return of_two(effective(itype) * effective(jtype), atom->radius[i], atom->radius[j], sqrt(rsq), fforce);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -39,9 +39,11 @@ class PairDlvoClump : public PairClump {
 
   double cutoff() const { return law_.cutoff; }
   const clay::DlvoLaw &law() const { return law_; }
+  /// Effective potential of the spheres of an atom type [V].
+  double effective(int type) const;
 
  protected:
-  double strength(int type) const;
+  double strength(int i) const;
   bool takes_part(int type) const { return law_.hamaker > 0.0 || potential_[type] != 0.0; }
   bool with_radii() const { return true; }
   void evaluate() { groups_.act(law_); }

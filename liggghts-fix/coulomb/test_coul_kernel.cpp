@@ -174,6 +174,35 @@ TEST(CoulKernel, allPairsScreened)
       }
 }
 
+// with the screening counted from a distance on, up to its largest exponent where spheres lie in each other
+TEST(CoulKernel, screeningCountedFromADistance)
+{
+  CoulombLaw law;
+  law.cutoff = 2.5;
+  law.debye = 0.015;
+  law.near = 1.1;
+  law.spheres = true;
+  EXPECT_NEAR(law.weight(0.8), std::exp(0.25 / 0.015) / (1 + 0.8 / 0.015), 1e-9 * law.weight(0.8));
+  for (bool shifted : {false, true})
+    for (bool single : {false, true}) {
+      law.shifted = shifted;
+      for (double r : {0.01, 0.3, 1.05, 1.1, 1.4}) {
+        ChargeGroups g;
+        g.single = single;
+        for (double x : {0.0, r}) {
+          g.add(x, 0, 0, 1e-9);
+          g.close(x > 0, true);
+        }
+        g.act(law);
+        const double least = shifted ? std::exp(-1.4 / 0.015) * (1 / 6.25 + 1 / 0.0375) : 0;
+        const double right =
+            law.k * 1e-18 * (std::exp(std::min(60., (1.1 - r) / 0.015)) * (1 / (r * r) + 1 / (0.015 * r)) - least);
+        EXPECT_NEAR(g.wrenches[1].f[0] / right, 1, single ? 2e-5 : 1e-12) << r;
+        EXPECT_NEAR(law.forceOverDistance(1e-18, r) * r / right, 1, 1e-12) << r;
+      }
+    }
+}
+
 // many Debye lengths within the cut-off: nothing overflows, and what is left is next to nothing
 TEST(CoulKernel, screenedToNothing)
 {

@@ -21,6 +21,7 @@
 #include "lammps.h"
 #include "modify.h"
 #include "coulomb/pair_coul_clump.h"
+#include "coulomb/pair_dlvo_clump.h"
 #include "pair_gran.h"
 
 using namespace LAMMPS_NS;
@@ -188,25 +189,60 @@ double LAMMPS_NS::resting_step_limit(LAMMPS *lmp, std::string *which)
 
 /* ---------------------------------------------------------------------- */
 
-// overlap over distance in contact of two whose charges pull at them; what the law
-// makes of two charges' k qq grows as they come nearer, and the overlap with it
-static double charged_overlap(const clay::CoulombLaw &law, double qq, double stiffness, double d)
+namespace {
+
+template <class Style>
+const Style *pair_of(LAMMPS *lmp, const char *name)
 {
-  double overlap = 0;
-  for (int i = 0; i < 60 && overlap < 1; i++) {
-    const double r = d * (1 - overlap);
-    overlap = clay::attractedOverlap(-law.forceOverDistance(qq, r) * r * r * r, stiffness, d);
+  return lmp->force->pair ? dynamic_cast<Style *>(lmp->force->pair_match(name, 1)) : nullptr;
+}
+
+/// What pulls two spheres of two types together over a distance: charges, double layers, van der Waals forces.
+class Pull {
+ public:
+  explicit Pull(LAMMPS *lmp) :
+    coul_(pair_of<PairCoulClump>(lmp, "coul/clump")), dlvo_(pair_of<PairDlvoClump>(lmp, "dlvo/clump"))
+  {
   }
-  return overlap;
+
+  bool any() const { return coul_ || dlvo_; }
+  std::string name() const { return dlvo_ ? coul_ ? "charges and dlvo/clump" : "dlvo/clump" : "the charges"; }
+
+  void between(int i, int j, double ri, double rj)
+  {
+    ri_ = ri, rj_ = rj;
+    qq_ = coul_ ? coul_->charge(i) * coul_->law().weight(ri) * coul_->charge(j) * coul_->law().weight(rj) : 0;
+    yy_ = dlvo_ ? dlvo_->effective(i) * dlvo_->effective(j) : 0;
+  }
+  /// Force [N] that pulls at a distance of centres [m].
+  double force(double r) const
+  {
+    double f = coul_ ? -coul_->law().forceOverDistance(qq_, r) * r : 0;
+    if (dlvo_) f -= dlvo_->law().force(yy_, ri_ * rj_ / (ri_ + rj_), r - ri_ - rj_);
+    return f;
+  }
+  /// Energy [J] it has given to two from afar when they touch.
+  double work() const
+  {
+    double e = coul_ ? -coul_->law().energy(qq_, ri_ + rj_) : 0;
+    if (dlvo_) e -= dlvo_->law().energy(yy_, ri_ * rj_ / (ri_ + rj_), 0);
+    return e;
+  }
+
+ private:
+  const PairCoulClump *coul_;
+  const PairDlvoClump *dlvo_;
+  double ri_ = 0, rj_ = 0, qq_ = 0, yy_ = 0;
+};
+
 }
 
 ChargedContact LAMMPS_NS::charged_contact(LAMMPS *lmp)
 {
   ChargedContact worst;
   const ContactModel model(lmp);
-  const PairCoulClump *coul =
-      lmp->force->pair ? dynamic_cast<PairCoulClump *>(lmp->force->pair_match("coul/clump", 1)) : nullptr;
-  if (!coul || !model.known()) return worst;
+  Pull pull(lmp);
+  if (!pull.any() || !model.known()) return worst;
 
   const Atom &atom = *lmp->atom;
   std::vector<double> mass(atom.ntypes + 1, infinity), size(atom.ntypes + 1, infinity);
@@ -218,14 +254,21 @@ ChargedContact LAMMPS_NS::charged_contact(LAMMPS *lmp)
   MPI_Allreduce(MPI_IN_PLACE, size.data(), size.size(), MPI_DOUBLE, MPI_MIN, lmp->world);
 
   for (int i = 1; i <= atom.ntypes; i++)
-    for (int j = 1; j < i; j++) {
-      const double qq = coul->charge(i) * coul->charge(j);
-      if (size[i] == infinity || size[j] == infinity || qq >= 0) continue;
+    for (int j = 1; j <= i; j++) {
+      if (size[i] == infinity || size[j] == infinity) continue;
+      pull.between(i, j, size[i], size[j]);
+      if (pull.force(size[i] + size[j]) <= 0 || pull.work() <= 0) continue;
       const double d = size[i] + size[j], m = mass[i] * mass[j] / (mass[i] + mass[j]);
       const double k = model.between(i, j, m, size[i] * size[j] / d).kn;
-      const double impact = std::sqrt(2 * std::fabs(coul->law().energy(qq, d)) / k) / d;
+      const double impact = std::sqrt(2 * pull.work() / k) / d;
       if (impact <= worst.impact) continue;
-      worst = {charged_overlap(coul->law(), qq, k, d), impact, k, k * impact * impact / 0.01, j, i};
+      worst = {clay::attractedOverlap([&](double r) { return pull.force(r); }, k, d),
+               impact,
+               k,
+               k * impact * impact / 0.01,
+               j,
+               i,
+               pull.name()};
     }
   return worst;
 }

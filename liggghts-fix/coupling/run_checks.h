@@ -52,17 +52,18 @@ double resting_step_limit(LAMMPS *lmp, std::string *which = nullptr);
 /// called after init, on all processors.
 double rayleigh_step(LAMMPS *lmp, std::string *which = nullptr);
 
-/// Two types whose charges press their spheres into each other.
+/// Two types whose charges, or double layers and van der Waals forces, press their spheres into each other.
 struct ChargedContact {
   double overlap = 0;    ///< at rest, over the diameter; infinite when nothing holds them
   double impact = 0;     ///< likewise of two that come from afar without drag
   double stiffness = 0;  ///< [N/m] of their contact
   double wanted = 0;     ///< [N/m] that would keep the impact below 0.1
   int first = 0, second = 0;
+  std::string by = "the charges";  ///< what presses
 };
 
-/// The worst of all types under pair coul/clump, by the smallest spheres there
-/// are of each; zeros without charges. On all processors.
+/// The worst of all types under pair coul/clump and dlvo/clump, by the smallest spheres there
+/// are of each; zeros without. On all processors.
 ChargedContact charged_contact(LAMMPS *lmp);
 
 /// Largest stable step [s] by the contacts there are now, and the number of

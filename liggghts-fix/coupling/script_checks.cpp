@@ -112,13 +112,12 @@ std::string check_charges(const LAMMPS_NS::ChargedContact &c)
   if (c.impact <= 0.1) return "";
   const std::string need = text("a stiffness of %.3g N/m in place of %.3g makes it 0.1 d", c.wanted, c.stiffness);
   if (c.overlap > 1.)
-    throw std::invalid_argument(
-        text("the charges of types %d and %d pull their spheres into each other: the contact does "
-             "not hold them at any overlap; %s, or take smaller charges, or contact_limit no",
-             c.first, c.second, need.c_str()));
-  return text("the charges of types %d and %d make spheres that come from afar overlap by up to %.2g d, "
+    throw std::invalid_argument(text("%s of types %d and %d pull their spheres into each other: the contact does "
+                                     "not hold them at any overlap; %s, or take smaller charges, or contact_limit no",
+                                     c.by.c_str(), c.first, c.second, need.c_str()));
+  return text("%s of types %d and %d make spheres that come from afar overlap by up to %.2g d, "
               "at rest by %.2g d; %s",
-              c.first, c.second, c.impact, c.overlap, need.c_str());
+              c.by.c_str(), c.first, c.second, c.impact, c.overlap, need.c_str());
 }
 
 /* ---------------------------------------------------------------------- */

@@ -7,7 +7,7 @@
 
 namespace clay {
 
-/// exp(x) for x <= 0, to 3e-16; below -708 that of -708. Whole powers of two are
+/// exp(x) for x <= 700, to 3e-16; below -708 that of -708. Whole powers of two are
 /// taken out by adding a number so large that only they are left of x/ln 2; the
 /// rest, at most ln 2/2 either way, has Taylor's series to the 13th power, whose
 /// next term is below 5e-18 there. ln 2 in two parts keeps that rest exact.
@@ -27,7 +27,7 @@ CLAY_INLINE void expOf(const typename Pack<double, BYTES>::Numbers& wanted, type
   y = (Numbers)((Bits)p + ((Bits)t << 52));
 }
 
-/// In single precision, to 1.5e-7, and below -87 that of -87: there the series ends
+/// In single precision, for x <= 80 and to 1.5e-7, and below -87 that of -87: there the series ends
 /// with the 7th power.
 template <int BYTES>
 CLAY_INLINE void expOf(const typename Pack<float, BYTES>::Numbers& wanted, typename Pack<float, BYTES>::Numbers& y)

@@ -10,10 +10,10 @@
 namespace {
 
 template <class Real, int BYTES>
-double worstTo(double least)
+double worstOf(double most, double least)
 {
   typedef clay::Pack<Real, BYTES> Pack;
-  double worst = 0, x = 0;
+  double worst = 0, x = most;
   while (x > least) {
     typename Pack::Numbers in, out;
     for (int l = 0; l < Pack::SIZE; ++l) in[l] = static_cast<Real>(x -= 7.3e-4);
@@ -53,16 +53,16 @@ void ends()
 
 TEST(Exp, rightToRounding)
 {
-  EXPECT_LT((worstTo<double, 16>(-708)), 3e-16);
-  EXPECT_LT((worstTo<double, 32>(-708)), 3e-16);
-  EXPECT_LT((worstTo<double, 64>(-708)), 3e-16);
+  EXPECT_LT((worstOf<double, 16>(700, -708)), 3e-16);
+  EXPECT_LT((worstOf<double, 32>(700, -708)), 3e-16);
+  EXPECT_LT((worstOf<double, 64>(700, -708)), 3e-16);
 }
 
 TEST(Exp, inSinglePrecision)
 {
-  EXPECT_LT((worstTo<float, 16>(-87)), 1.5e-7);
-  EXPECT_LT((worstTo<float, 32>(-87)), 1.5e-7);
-  EXPECT_LT((worstTo<float, 64>(-87)), 1.5e-7);
+  EXPECT_LT((worstOf<float, 16>(80, -87)), 1.5e-7);
+  EXPECT_LT((worstOf<float, 32>(80, -87)), 1.5e-7);
+  EXPECT_LT((worstOf<float, 64>(80, -87)), 1.5e-7);
 }
 
 TEST(Exp, oneAtZeroAndNoLessThanItsLeast)

@@ -98,11 +98,16 @@ TEST(PairCoulClump, forceByTheFormula)
       {"coul/clump 0.006", 0.0061, 0},
       {"coul/clump 0.006 shifted", 0.004, k * qq * (1 / 1.6e-5 - 1 / 3.6e-5)},
       {"coul/clump 0.006 permittivity 78.5", 0.004, k * qq / 1.6e-5 / 78.5},
-      {"coul/clump 0.006 screened 1e-3", 0.004, k * qq / 1.6e-5 * 5 * std::exp(-4.)},
-      {"coul/clump 0.006 screened 1e-3", 0.0061, 0},
-      {"coul/clump 0.006 screened 1e-3 permittivity 78.5", 0.004, k * qq / 1.6e-5 * 5 * std::exp(-4.) / 78.5},
-      {"coul/clump 0.006 shifted screened 1e-3", 0.004,
+      {"coul/clump 0.006 screened 1e-3 points", 0.004, k * qq / 1.6e-5 * 5 * std::exp(-4.)},
+      {"coul/clump 0.006 screened 1e-3 points", 0.0061, 0},
+      {"coul/clump 0.006 screened 1e-3 points permittivity 78.5", 0.004, k * qq / 1.6e-5 * 5 * std::exp(-4.) / 78.5},
+      {"coul/clump 0.006 shifted screened 1e-3 points", 0.004,
        k * qq * (5 * std::exp(-4.) / 1.6e-5 - 7 * std::exp(-6.) / 3.6e-5)},
+      // radii of 0.5 mm: (exp(0.5)/1.5)^2
+      {"coul/clump 0.006 screened 1e-3", 0.004, k * qq / 1.6e-5 * 5 * std::exp(-3.) / 2.25},
+      {"coul/clump 0.006 screened 1e-3 spheres", 0.004, k * qq / 1.6e-5 * 5 * std::exp(-3.) / 2.25},
+      {"coul/clump 0.006 shifted screened 1e-3", 0.004,
+       k * qq * (5 * std::exp(-3.) / 1.6e-5 - 7 * std::exp(-5.) / 3.6e-5) / 2.25},
   };
   for (const Case &c : cases) {
     Host host;
@@ -168,8 +173,8 @@ TEST(PairCoulClump, screenedApproachTurnsWhereItsEnergySays)
   Host host;
   std::ostringstream s;
   s.precision(17);
-  s << test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") << test::material("coul/clump 0.004 screened 5e-4")
-    << "pair_coeff * * coul/clump " << q << "\n"
+  s << test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01")
+    << test::material("coul/clump 0.004 screened 5e-4 points") << "pair_coeff * * coul/clump " << q << "\n"
     << "create_atoms 1 single " << -far / 2 << " 0 0 units box\ncreate_atoms 2 single " << far / 2
     << " 0 0 units box\nset group all diameter 1e-4\nset group all density " << m / (M_PI / 6 * 1e-12) << "\n"
     << "group one type 1\ngroup other type 2\nvelocity one set " << v << " 0 0 units box\nvelocity other set " << -v
@@ -194,11 +199,31 @@ TEST(PairCoulClump, screenedApproachTurnsWhereItsEnergySays)
 TEST(PairCoulClump, screenedEnergyOfAStep)
 {
   Host host;
-  host(two("coul/clump 0.006 screened 1e-3", 0.004) + "compute pe all pe pair\nthermo_style custom step c_pe\nrun 0\n");
+  host(two("coul/clump 0.006 screened 1e-3 points", 0.004) +
+       "compute pe all pe pair\nthermo_style custom step c_pe\nrun 0\n");
   const double qq = 2e-10 * -3e-10, expected = k * qq * (std::exp(-4.) / 0.004 - std::exp(-6.) / 0.006);
   double mine = host.lmp->force->pair->eng_coul, sum;
   MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
   EXPECT_NEAR(sum, expected, 1e-12 * std::abs(expected));
+}
+
+// energy and the energy of a single pair with spheres of two sizes, 0.5 mm and 1 mm
+TEST(PairCoulClump, screenedSpheresOfTwoSizes)
+{
+  for (const std::string precision : {"double", "single"}) {
+    Host host;
+    host(
+        two("coul/clump 0.006 screened 4e-4 " + precision, 0.004) +
+        "set type 2 diameter 2e-3\nset type 2 density 2600\ncompute pe all pe pair\nthermo_style custom step c_pe\nrun 0\n");
+    const double a = 0.5 / 0.4, b = 1 / 0.4, qq = 2e-10 * -3e-10 * std::exp(a + b) / (1 + a) / (1 + b);
+    const double force = k * qq * std::exp(-10.) * (1 / 0.004 + 1 / 4e-4) / 0.004,
+                 near = precision == "single" ? 1e-6 : 1e-12;
+    EXPECT_NEAR(host.atoms()[1].f[0], force, near * std::abs(force));
+    const double expected = k * qq * (std::exp(-10.) / 0.004 - std::exp(-15.) / 0.006);
+    double mine = host.lmp->force->pair->eng_coul, sum;
+    MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    EXPECT_NEAR(sum, expected, 1e-12 * std::abs(expected));
+  }
 }
 
 TEST(PairCoulClump, everyStepsGivesTheSameImpulse)

@@ -323,7 +323,7 @@ TEST(RunChecks, chargesAgainstStiffness)
   EXPECT_EQ(c.first, 1);
   EXPECT_EQ(c.second, 2);
   const double pull = 8.9875517873681764e9 * 1e-16, d = 2e-3;
-  EXPECT_NEAR(c.overlap, clay::attractedOverlap(pull, 5000, d), 1e-12);
+  EXPECT_NEAR(c.overlap, clay::attractedOverlap([&](double r) { return pull / (r * r); }, 5000, d), 1e-12);
   // from the cut-off to contact: all that potential energy in the spring
   const double energy = pull * (1 / d - 1 / 0.012);
   EXPECT_NEAR(c.impact, std::sqrt(2 * energy / 5000) / d, 1e-6);
@@ -338,9 +338,38 @@ TEST(RunChecks, chargesAgainstStiffness)
 TEST(RunChecks, screenedChargesAgainstStiffness)
 {
   Host host;
-  host(charged("screened 5e-4"));
+  host(charged("screened 5e-4 points"));
   const auto c = LAMMPS_NS::charged_contact(host.lmp.get());
   const double d = 2e-3, r = d * (1 - c.overlap), L = 5e-4;
   const double pull = 8.9875517873681764e9 * 1e-16 * std::exp(-r / L) * (1 / (r * r) + 1 / (L * r));
   EXPECT_NEAR(5000 * c.overlap * d / pull, 1, 1e-9);
+
+  // spheres of 1 mm keep ions off, which screen the less: exp(a/L)/(1 + a/L) twice
+  Host spheres;
+  spheres(charged("screened 5e-4"));
+  const auto s = LAMMPS_NS::charged_contact(spheres.lmp.get());
+  const double q = d * (1 - s.overlap), more = std::exp(4.) / 9;
+  const double harder = more * 8.9875517873681764e9 * 1e-16 * std::exp(-q / L) * (1 / (q * q) + 1 / (L * q));
+  EXPECT_NEAR(5000 * s.overlap * d / harder, 1, 1e-9);
+  EXPECT_EQ(s.by, "the charges");
+}
+
+// of van der Waals forces, which stay as they are in contact, spheres of one type are held as others are
+TEST(RunChecks, pullOfDlvoAgainstStiffness)
+{
+  Host host;
+  host(
+      test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") +
+      "fix p1 all property/global kn peratomtypepair 2 5 5 5 5\nfix p2 all property/global kt peratomtypepair 2 5 5 5 5\n"
+      "fix p3 all property/global gamman peratomtypepair 2 1 1 1 1\n"
+      "fix p4 all property/global gammat peratomtypepair 2 1 1 1 1\n"
+      "fix p5 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
+      "pair_style hybrid/overlay gran model hooke/stiffness tangential history dlvo/clump 1e-3 debye 1e-4 hamaker 3e-9 "
+      "contact 2e-5\npair_coeff * * gran\npair_coeff * * dlvo/clump 0\n" +
+      pressed());
+  const auto c = LAMMPS_NS::charged_contact(host.lmp.get());
+  EXPECT_EQ(c.by, "dlvo/clump");
+  const double pull = 3e-9 * 5e-4 / (6 * 4e-10), energy = 3e-9 * 5e-4 / 6 * (1 / 2e-5 - 1 / 1e-3) + pull * 2e-5;
+  EXPECT_NEAR(c.overlap, pull / 5 / 2e-3, 1e-9);
+  EXPECT_NEAR(c.impact, std::sqrt(2 * energy / 5) / 2e-3, 1e-6);
 }

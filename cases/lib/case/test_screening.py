@@ -37,7 +37,7 @@ class ScreeningTest(unittest.TestCase):
     def test_said(self):
         self.assertEqual(screening.line(settings()), "")
         said = screening.line(settings(salinity=1e-6))
-        for words in ("1e-06 mol/l", "304 nm", "0.304 mm (1000 times)", "keep 0.0105 of Coulomb's force"):
+        for words in ("1e-06 mol/l", "304 nm", "0.304 mm (1000 times)", "keep 0.412 of Coulomb's force"):
             self.assertIn(words, said)
 
     def test_overlaps(self):
@@ -47,6 +47,16 @@ class ScreeningTest(unittest.TestCase):
                       screening.warnings(v, 0.0305)[0])
         self.assertEqual(screening.warnings(settings(), 0.5), [])
         self.assertEqual(screening.warnings(v, None), [])
+
+    def test_scripts(self):
+        v = settings(salinity=1e-6)
+        own = "pair_style hybrid/overlay gran model hooke dlvo/clump 8e-4 &\n    debye 1e-4 hamaker 1e-14 contact 2e-5\n"
+        said = screening.of_scripts(v, {"in.liggghts": own})
+        self.assertEqual(len(said), 1)
+        self.assertIn("in.liggghts: pair dlvo/clump has a Debye length of its own, salinity's is 0.000304 m", said[0])
+        self.assertEqual(screening.of_scripts(v, {"in": own.replace("1e-4", "${debye_length}", 1)}), [])
+        self.assertEqual(screening.of_scripts(v, {"in": "# " + own.replace("&\n", "")}), [])
+        self.assertEqual(screening.of_scripts(settings(), {"in": own}), [])
 
     def test_range(self):
         case = Case("clump-half")

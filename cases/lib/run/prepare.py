@@ -27,6 +27,16 @@ def fill(out, case, derived):
     _mesh(os.path.join(out, "CFD"), case, derived)
 
 
+def scripts(out):
+    """The text of the DEM half's scripts in a folder, by name."""
+    found = {}
+    for name in os.listdir(out):
+        if name.endswith(".liggghts"):
+            with open(os.path.join(out, name), encoding="utf-8", errors="replace") as f:
+                found[name] = f.read()
+    return found
+
+
 def parameters(out, values):
     """Hands every value to both halves, to each in its own words."""
     head = "This file is made by cases/run from case.json"

@@ -77,6 +77,8 @@ def main():
     folder, lock = folders.claim(case, args.out, args.overwrite, args.dry_run)
     with lock:
         prepare.fill(folder, case, derived)
+        for warning in screening.of_scripts({**case.values, **derived}, prepare.scripts(folder)):
+            print(f"cases/run: {warning}", flush=True)
         run = launch.Run(folder, derived["dem_ranks"], derived["cfd_ranks"])
         run.write_script()
         if args.dry_run:

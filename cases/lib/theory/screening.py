@@ -7,6 +7,7 @@ length too.
 """
 
 import math
+import re
 
 
 def debye_length(salinity):
@@ -25,9 +26,10 @@ def lengths(values):
     return prototype, ratio * prototype, ratio
 
 
-def left_at_contact(distance, debye):
-    """Part of Coulomb's force that is left between charges at a distance [m]."""
-    return (1 + distance / debye) * math.exp(-distance / debye)
+def left_at_contact(radius, debye):
+    """Part of Coulomb's force that is left between two spheres of a radius [m] that touch: the ions
+    stay outside of them."""
+    return (1 + 2 * radius / debye) / (1 + radius / debye)**2
 
 
 def line(values):
@@ -36,9 +38,22 @@ def line(values):
     if not found:
         return ""
     prototype, model, ratio = found
-    part = left_at_contact(2 * values["sphere_radius"], model)
+    part = left_at_contact(values["sphere_radius"], model)
     return (f"salinity {values['salinity']:.4g} mol/l: Debye length {1e9 * prototype:.4g} nm, at the model's scale "
             f"{1e3 * model:.4g} mm ({ratio:.4g} times); spheres in contact keep {part:.3g} of Coulomb's force")
+
+
+def of_scripts(values, scripts):
+    """Plain words, a list, on LIGGGHTS scripts (name: text) whose pair dlvo/clump has another
+    Debye length than the salinity gives."""
+    found = lengths(values)
+    said = []
+    for name, words in sorted(scripts.items()) if found else ():
+        for style in re.findall(r"^[^#\n]*dlvo/clump\s+\S+[^\n]*", re.sub(r"&\s*\n", " ", words), re.M):
+            if style.startswith("pair_style") and "debye ${debye_length}" not in " ".join(style.split()):
+                said.append(f"{name}: pair dlvo/clump has a Debye length of its own, salinity's is "
+                            f"{found[1]:.4g} m: 'debye ${{debye_length}}' there takes it")
+    return said
 
 
 def warnings(values, overlap):

@@ -119,7 +119,7 @@ macro(clayfoam_model_tests)
   foreach(test parallelMappingTest parallelHandOverTest)
     add_executable(${test} ${CLAYFOAM_MODEL_DIR}/tests/${test}.C ${environment})
     target_link_libraries(${test} PRIVATE clayTestMesh)
-    foreach(ranks 2 3)
+    foreach(ranks 2 3 4)
       add_test(NAME ${test}_${ranks}
         COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks}
           $<TARGET_FILE:${test}>)

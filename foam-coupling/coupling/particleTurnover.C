@@ -2,8 +2,9 @@
 
 #include "particleTurnover.H"
 
-#include "ListOps.H"
-#include "Pstream.H"
+#include "DynamicList.H"
+#include "handOver.H"
+#include "PstreamBuffers.H"
 #include "PstreamReduceOps.H"
 
 #include <cstdint>
@@ -12,6 +13,17 @@
 
 namespace Foam
 {
+
+//- What a rank knows of a tag: held and owned at the last exchange and now
+enum : label
+{
+    WAS_HELD = 1,
+    WAS_OWN = 2,
+    NOW = 4,
+    IS_HELD = WAS_HELD*NOW,
+    IS_OWN = WAS_OWN*NOW
+};
+
 
 //- A number from 0 to 1 for a tag, by splitmix64's mixing: sums of it tell
 //  sets of tags apart that have the same number and sum
@@ -28,40 +40,119 @@ static scalar scattered(const label tag)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::labelHashSet Foam::particleTurnover::nowhere
+Foam::Map<Foam::label> Foam::particleTurnover::changes
 (
-    const labelList& asked,
-    const labelHashSet& own
-)
+    const dispersedParticles& p
+) const
 {
-    List<labelList> lists(Pstream::nProcs());
-    lists[Pstream::myProcNo()] = asked;
-    Pstream::gatherList(lists);
-    Pstream::scatterList(lists);
-
-    labelHashSet found;
-    for (const labelList& list : lists)
+    Map<label> states;
+    forAll(p.tag, i)
     {
-        for (const label tag : list)
+        if (p.offset[i + 1] > p.offset[i])
         {
-            if (own.found(tag))
-            {
-                found.insert(tag);
-            }
+            states.insert(p.tag[i], p.owned[i] ? IS_HELD + IS_OWN : IS_HELD);
+        }
+    }
+    forAll(tag_, i)
+    {
+        if (offset_[i + 1] > offset_[i])
+        {
+            states(tag_[i], 0) += owned_[i] ? WAS_HELD + WAS_OWN : WAS_HELD;
         }
     }
 
-    List<labelList> founds(Pstream::nProcs());
-    founds[Pstream::myProcNo()] = found.toc();
-    Pstream::gatherList(founds);
-    Pstream::scatterList(founds);
-
-    labelHashSet missing(asked);
-    for (const labelList& list : founds)
+    Map<label> changed;
+    forAllConstIters(states, iter)
     {
-        missing.unset(list);
+        const label before = *iter & (WAS_HELD + WAS_OWN);
+        const label now = *iter & (IS_HELD + IS_OWN);
+        if (now != NOW*before)
+        {
+            changed.insert(iter.key(), *iter & (WAS_OWN + IS_OWN));
+        }
     }
-    return missing;
+    return changed;
+}
+
+
+void Foam::particleTurnover::ask
+(
+    const Map<label>& changed,
+    labelHashSet& came,
+    labelHashSet& gone
+)
+{
+    const label ranks = Pstream::nProcs();
+
+    List<DynamicList<label>> tags(ranks), owners(ranks);
+    forAllConstIters(changed, iter)
+    {
+        const label at = officeOf(iter.key());
+        tags[at].append(iter.key());
+        owners[at].append(*iter);
+    }
+    PstreamBuffers toOffice(Pstream::commsTypes::nonBlocking);
+    for (label rank = 0; rank < ranks; ++rank)
+    {
+        if (tags[rank].size())
+        {
+            UOPstream os(rank, toOffice);
+            os << tags[rank] << owners[rank];
+        }
+    }
+    labelList sizes;
+    toOffice.finishedSends(sizes);
+
+    // one that goes from rank to rank was owned by one and is by another
+    Map<label> whole;
+    List<labelList> asked(ranks);
+    told_ = changed.size();
+    for (label rank = 0; rank < ranks; ++rank)
+    {
+        if (sizes[rank] > 0)
+        {
+            UIPstream is(rank, toOffice);
+            asked[rank] = labelList(is);
+            const labelList owned(is);
+            forAll(owned, k)
+            {
+                whole(asked[rank][k], 0) |= owned[k];
+            }
+            told_ += owned.size();
+        }
+    }
+
+    PstreamBuffers toAsker(Pstream::commsTypes::nonBlocking);
+    for (label rank = 0; rank < ranks; ++rank)
+    {
+        DynamicList<label> cameThere, goneThere;
+        for (const label tag : asked[rank])
+        {
+            if (whole[tag] == IS_OWN)
+            {
+                cameThere.append(tag);
+            }
+            if (whole[tag] == WAS_OWN)
+            {
+                goneThere.append(tag);
+            }
+        }
+        if (cameThere.size() || goneThere.size())
+        {
+            UOPstream os(rank, toAsker);
+            os << cameThere << goneThere;
+        }
+    }
+    toAsker.finishedSends(sizes);
+    for (label rank = 0; rank < ranks; ++rank)
+    {
+        if (sizes[rank] > 0)
+        {
+            UIPstream is(rank, toAsker);
+            came.insert(labelList(is));
+            gone.insert(labelList(is));
+        }
+    }
 }
 
 
@@ -70,7 +161,8 @@ Foam::labelHashSet Foam::particleTurnover::nowhere
 Foam::particleTurnover::particleTurnover()
 :
     signature_(Zero),
-    first_(true)
+    first_(true),
+    told_(0)
 {}
 
 
@@ -103,26 +195,8 @@ void Foam::particleTurnover::compare
     // all ranks alike: signatures are sums over them
     if (changed)
     {
-        labelHashSet now, before;
-        forAll(p.tag, i)
-        {
-            if (p.offset[i + 1] > p.offset[i])
-            {
-                now.insert(p.tag[i]);
-            }
-        }
-        forAll(tag_, i)
-        {
-            if (offset_[i + 1] > offset_[i])
-            {
-                before.insert(tag_[i]);
-            }
-        }
-        labelHashSet fresh(now), missing(before);
-        fresh -= before;
-        missing -= now;
-        const labelHashSet came(nowhere(fresh.toc(), before));
-        const labelHashSet gone(nowhere(missing.toc(), now));
+        labelHashSet came, gone;
+        ask(changes(p), came, gone);
 
         came_.setSize(nCells, Zero);
         gone_.setSize(nCells, Zero);
@@ -154,6 +228,7 @@ void Foam::particleTurnover::compare
     }
 
     tag_ = p.tag;
+    owned_ = p.owned;
     volume_ = p.volume;
     offset_ = p.offset;
     cellIndex_ = p.cellIndex;

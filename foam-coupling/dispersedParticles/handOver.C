@@ -11,13 +11,6 @@
 namespace Foam
 {
 
-//- The rank where both meet
-static label office(const label tag)
-{
-    return mag(tag) % Pstream::nProcs();
-}
-
-
 //- Appends tag, length and numbers
 static void put
 (
@@ -52,6 +45,12 @@ static void take(const scalarUList& parcel, particleNumbers& all)
 
 // * * * * * * * * * * * * * * * Other Functions * * * * * * * * * * * * * * //
 
+Foam::label Foam::officeOf(const label tag)
+{
+    return mag(tag) % Pstream::nProcs();
+}
+
+
 Foam::particleNumbers Foam::handOver
 (
     const particleNumbers& given,
@@ -67,11 +66,11 @@ Foam::particleNumbers Foam::handOver
         List<DynamicList<label>> questions(ranks);
         for (const auto& one : given)
         {
-            put(parcels[office(one.first)], one.first, one.second);
+            put(parcels[officeOf(one.first)], one.first, one.second);
         }
         for (const label tag : wanted)
         {
-            questions[office(tag)].append(tag);
+            questions[officeOf(tag)].append(tag);
         }
         for (label rank = 0; rank < ranks; ++rank)
         {

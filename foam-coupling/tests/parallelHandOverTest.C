@@ -66,38 +66,134 @@ TEST(parallelHandOver, numbersAreHandedOver)
 }
 
 
+namespace
+{
+
+// a particle of volume 1 in the first cell, in parts of equal size
+struct parts
+{
+    label tag;
+    label owner;
+    labelList others;       // that hold a part, too
+};
+
+// what a turnover sees; ranks are taken round
+void see(particleTurnover& turnover, const std::vector<parts>& all)
+{
+    const label ranks = Pstream::nProcs(), me = Pstream::myProcNo();
+    dispersedParticles p;
+    std::vector<parts> mine;
+    for (const parts& one : all)
+    {
+        for (const label rank : one.others)
+        {
+            ASSERT_NE(rank % ranks, one.owner % ranks);
+        }
+        if (one.owner % ranks == me || one.others.found(me))
+        {
+            mine.push_back(one);
+        }
+    }
+    p.setSize(mine.size());
+    p.clearRows();
+    forAll(p.tag, i)
+    {
+        p.tag[i] = mine[i].tag;
+        p.volume[i] = 1;
+        p.owned[i] = mine[i].owner % ranks == me;
+        p.append(0, 1.0/(1 + mine[i].others.size()));
+        p.endRow(i);
+    }
+    turnover.compare(p, 1);
+}
+
+}
+
+
+// each rank that holds a part of one knows that it has come or gone; another
+// owner and other holders are neither
+TEST(parallelHandOver, turnoverOfSharedParticles)
+{
+    const label me = Pstream::myProcNo(), last = Pstream::nProcs() - 1;
+    const auto half = [&](const label a, const label b)
+    {
+        return me == a || me == b ? 0.5 : 0.0;
+    };
+    // the rank that the tag names is one of these, and is not
+    for (const label tag : {6*8, 6*8 + 1, 6*8 + 2})
+    {
+        particleTurnover turnover;
+        see(turnover, {{1, 0, {}}});
+        see(turnover, {{1, 0, {}}, {tag, 0, {last}}});
+        ASSERT_TRUE(turnover.any());
+        EXPECT_EQ(turnover.came()[0], half(0, last));
+        EXPECT_EQ(turnover.gone()[0], 0);
+
+        // the other of its holders owns it now; one comes that all see
+        see(turnover, {{1, 0, {}}, {tag, last, {0}}, {3, 1, {}}});
+        ASSERT_TRUE(turnover.any());
+        EXPECT_EQ(turnover.came()[0], me == 1);
+        EXPECT_EQ(turnover.gone()[0], 0);
+
+        // a rank holds it that has not, one no longer
+        see(turnover, {{1, 0, {}}, {tag, last, {last - 1}}, {2, 1, {}}});
+        EXPECT_EQ(turnover.came()[0], me == 1);
+        EXPECT_EQ(turnover.gone()[0], me == 1);
+        EXPECT_EQ(gSum(turnover.came()), 1);
+
+        see(turnover, {{1, 0, {}}, {2, 1, {}}});
+        ASSERT_TRUE(turnover.any());
+        EXPECT_EQ(turnover.came()[0], 0);
+        EXPECT_EQ(turnover.gone()[0], half(last, last - 1));
+        EXPECT_EQ(turnover.lastGone()[0], half(last, last - 1));
+    }
+}
+
+
+// what goes over the wire goes with what has changed
+TEST(parallelHandOver, turnoverTellsOfWhatHasChangedAlone)
+{
+    std::vector<parts> many;
+    for (label tag = 1; tag <= 1000; ++tag)
+    {
+        many.push_back({tag, tag/9, {}});
+    }
+    particleTurnover turnover;
+    see(turnover, many);
+    many.push_back({2001, 0, {1}});
+    see(turnover, many);
+    ASSERT_TRUE(turnover.any());
+    // by its owner and by the other rank that holds it, once told, once heard
+    EXPECT_EQ(returnReduce(turnover.told(), sumOp<label>()), 4);
+
+    // one goes to another rank besides
+    many[500].owner += 1;
+    many.pop_back();
+    see(turnover, many);
+    EXPECT_EQ(returnReduce(turnover.told(), sumOp<label>()), 8);
+    EXPECT_EQ(gSum(turnover.gone()), 1);
+    EXPECT_EQ(gSum(turnover.came()), 0);
+}
+
+
 // one that goes from rank to rank has neither come nor gone
 TEST(parallelHandOver, turnover)
 {
     const label ranks = Pstream::nProcs(), me = Pstream::myProcNo();
     particleTurnover turnover;
-    const auto see = [&](const labelList& tags, const label first)
+    const auto seen = [&](const labelList& tags, const label first)
     {
-        dispersedParticles p;
-        DynamicList<label> mine;
+        std::vector<parts> all;
         for (const label tag : tags)
         {
-            if ((tag + first) % ranks == me)
-            {
-                mine.append(tag);
-            }
+            all.push_back({tag, tag + first, {}});
         }
-        p.setSize(mine.size());
-        p.clearRows();
-        forAll(mine, i)
-        {
-            p.tag[i] = mine[i];
-            p.volume[i] = 1;
-            p.owned[i] = true;
-            p.append(0, 1);
-            p.endRow(i);
-        }
-        turnover.compare(p, 1);
+        see(turnover, all);
     };
-    see({1, 2, 3, 4}, 0);
-    see({1, 2, 3, 4}, 1);
+    seen({1, 2, 3, 4}, 0);
+    seen({1, 2, 3, 4}, 1);
     EXPECT_FALSE(turnover.any());
-    see({1, 2, 3, 9}, 2);
+    seen({1, 2, 3, 9}, 2);
     // all ranks know that some have
     ASSERT_TRUE(turnover.any());
     EXPECT_EQ(gSum(turnover.came()), 1);

@@ -22,7 +22,7 @@ string(REGEX REPLACE "/+$" "" _dir "$ENV{WM_PROJECT_DIR}")
 execute_process(COMMAND sh -c "dpkg -L openfoam 2> /dev/null | sed -n 's,/etc/controlDict$,,p'"
                 OUTPUT_VARIABLE _packaged OUTPUT_STRIP_TRAILING_WHITESPACE)
 if(_dir STREQUAL "" OR _dir STREQUAL _packaged)
-  execute_process(COMMAND ${PROJECT_SOURCE_DIR}/cmake/openfoam-headers.sh ${OpenFOAM_HEADERS_DIR}
+  execute_process(COMMAND ${CMAKE_CURRENT_LIST_DIR}/openfoam-headers.sh ${OpenFOAM_HEADERS_DIR}
                   RESULT_VARIABLE _status)
   if(NOT _status EQUAL 0)
     message(FATAL_ERROR "OpenFOAM: no headers; see the lines above")

@@ -19,7 +19,7 @@ fi
 words=()
 for word; do
     case $word in
-        -h | --help | --list | --keys) setup=0 ;;
+        -h | --help | --list | --keys | --version) setup=0 ;;
         --yes) what+=(--yes); continue ;;
     esac
     words+=("$word")

@@ -9,9 +9,10 @@ import os
 import numpy as np
 
 from cases.lib.calibration import caldata, calloop
-from cases.lib.case import settings
+from cases.lib.case import program, settings
 from cases.lib.case.casefile import Case, text
 from cases.lib.case.errors import CaseError
+from cases.lib.case.places import called
 from cases.lib.case.program import run as run_program
 from cases.lib.run import launch, runs
 
@@ -21,7 +22,7 @@ _DEFAULT = (0.5, 0.85, 1.2)  # of the case's charge: charges to begin with
 
 def parser():
     p = argparse.ArgumentParser(
-        prog="cases/calibrate", allow_abbrev=False,
+        prog=called("calibrate"), allow_abbrev=False,
         description="Finds the charge and the time scale with which a case follows a measured settling curve, "
                     "and predicts the end of consolidation. cases/CALIBRATION.md says how.")
     p.add_argument("name", metavar="CASE", help="the case")
@@ -178,6 +179,7 @@ def table(r):
 def write(out, r, data, made):
     """calibration.json, .csv and .png."""
     from cases.lib.calibration import calibrate_picture
+    program.result(os.path.join(out, "calibration.json"))
     with open(os.path.join(out, "calibration.json"), "w", encoding="utf-8") as f:
         json.dump(r, f, indent=2)
         f.write("\n")
@@ -238,4 +240,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run_program(main, "cases/calibrate")
+    run_program(main, called("calibrate"))

@@ -6,10 +6,11 @@ from dataclasses import replace
 
 from cases.lib.case.casefile import Case
 from cases.lib.case.errors import CaseError
+from cases.lib.case.places import called
 from cases.lib.case.program import run as run_program
 from cases.lib.case.suspension import resolve
 
-PROGRAM = "cases/scaling"
+PROGRAM = called("scaling")
 
 
 def defaults(name):

@@ -8,8 +8,9 @@ import os
 import numpy as np
 
 from cases.lib.calibration import curvefile, stagefit
-from cases.lib.case import settings
+from cases.lib.case import program, settings
 from cases.lib.case.errors import CaseError, nearest
+from cases.lib.case.places import called
 from cases.lib.case.program import run as run_program
 
 _TIMES = {"s": "s", "d": "d", "days": "d", "day": "d", "h": "h", "min": "min"}
@@ -18,7 +19,7 @@ _LEAST_ROWS = 12
 
 def parser():
     p = argparse.ArgumentParser(
-        prog="cases/stages", allow_abbrev=False,
+        prog=called("stages"), allow_abbrev=False,
         description="Finds the near-linear stages of a settling curve: breaks and slopes with confidence intervals.",
         epilog="A continuous line of 1 to 4 straight segments is fitted; how many there are is what the data can tell "
                "(BIC, with the noise's correlation), the intervals are a bootstrap's. The method is described in "
@@ -196,6 +197,7 @@ def main():
     out = settings.folder(os.path.dirname(os.path.abspath(path)) if args.out is None else args.out)
     fit, stages = find(t, z, args)
     print(table(fit, stages, names, scale))
+    program.result(os.path.join(out, "stages.json"))
     with open(os.path.join(out, "stages.json"), "w", encoding="utf-8") as f:
         json.dump(as_json(path, fit, stages, names), f, indent=2)
         f.write("\n")
@@ -205,4 +207,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run_program(main, "cases/stages")
+    run_program(main, called("stages"))

@@ -8,7 +8,7 @@ import os
 import shutil
 import tempfile
 
-from cases.lib.case import files
+from cases.lib.case import files, places
 from cases.lib.case.casefile import TOP
 
 _SUMS = "sums.json"
@@ -27,7 +27,9 @@ def _writable(folder):
 def _places(kind):
     """Where entries of a kind may be: with the project, and with the user."""
     user = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
-    return os.path.join(TOP, "build", kind), os.path.join(os.path.abspath(user), "clayfoam", kind)
+    own = os.path.join(os.path.abspath(user), "clayfoam", kind)
+    # what is installed has no build/
+    return (own, own) if places.installed() else (os.path.join(TOP, "build", kind), own)
 
 
 def place(kind):

@@ -15,6 +15,7 @@ TOP = os.path.dirname(CASES)
 ROOMS = os.path.join(TOP, "validation")
 # where a case's folder may be; the first holds those that cases/run lists
 PLACES = (CASES, *sorted(glob.glob(os.path.join(glob.escape(ROOMS), "*"))))
+HOLDS = "case.json"
 
 # what every case has, and what each of it must be; case.json may ask for more
 _NEEDED = {
@@ -34,23 +35,33 @@ _MOST_STEPS = 2**31 - 1  # LIGGGHTS counts the steps of a run in 32 bits
 def names():
     """The cases there are: folders with a case.json that has a title, or that
     cannot be read; one without holds what other cases share."""
-    def is_case(name):
+    def is_case(folder):
         try:
-            return "title" in _read(name)
+            return "title" in _read(folder)
         except CaseError:
             return True
-    return sorted(filter(is_case, _folders(PLACES[:1])))
+    return sorted(name for name, folder in _folders(PLACES[:1]).items() if is_case(folder))
 
 
 def _folders(places=None):
     """The folders with a case.json, {name: path}."""
     return {d: os.path.join(p, d) for p in reversed(places or PLACES) if os.path.isdir(p)
-            for d in os.listdir(p) if os.path.isfile(os.path.join(p, d, "case.json"))}
+            for d in os.listdir(p) if os.path.isfile(os.path.join(p, d, HOLDS))}
 
 
-def _read(name):
+def _of_ones_own(name):
+    """The path that stands in place of a case's name, as ./my-case does; None of a name."""
+    if os.sep not in name and name not in (".", ".."):
+        return None
+    folder = os.path.abspath(name)
+    if not os.path.isfile(os.path.join(folder, HOLDS)):
+        raise CaseError(f"{name}: is no case's folder; it lacks {HOLDS}")
+    return folder
+
+
+def _read(folder):
     """A folder's case.json."""
-    path = os.path.join(_folders()[name], "case.json")
+    path = os.path.join(folder, HOLDS)
     try:
         with open(path, encoding="utf-8") as f:
             found = json.load(f)
@@ -82,34 +93,39 @@ def _every(n, wanted):
 class Case:
     """A case with the values of this run.
 
+    name: one of names(), or the path of a folder that holds a case of one's own; cases beside it are
+    known to it, too. reference: what stands for the case in a command, wherever that is given.
     values: what case.json names, as changed; derived: what follows from them.
     """
 
     def __init__(self, name):
-        if name not in _folders() or "title" not in _read(name):
-            raise CaseError(nearest(name, names(), "case"))
-        self.name = name
+        own = _of_ones_own(name)
+        folder = own or _folders().get(name)
+        if folder is None or not own and "title" not in _read(folder):
+            here = f"; ./{name} is the one here" if os.path.isfile(os.path.join(name, HOLDS)) else ""
+            raise CaseError(nearest(name, names(), "case") + here)
+        self.name, self.reference = os.path.basename(folder), own or name
+        self._known = {**(_folders((os.path.dirname(own),)) if own else {}), **_folders()}
         self.folders = []  # of the cases this one is like, the remotest first, its own last
         self.parameters, self.values = {}, {}
-        self._load(name, [])
-        self.title = _read(name)["title"]
-        path = os.path.join(self.folders[-1], "case.json")
+        self._load(folder, [])
+        path = os.path.join(folder, HOLDS)
+        self.title = _read(folder).get("title", self.name)
         for key in _NEEDED:
             if key not in self.values:
                 raise CaseError(f"{path}: the parameter '{key}' is missing; every case has it")
 
-    def _load(self, name, below):
-        """Takes over what case `name` says, after all that it is like."""
-        folder = _folders()[name]
-        path = os.path.join(folder, "case.json")
-        found = _read(name)
+    def _load(self, folder, below):
+        """Takes over what the case of a folder says, after all that it is like."""
+        path = os.path.join(folder, HOLDS)
+        found = _read(folder)
         if "like" in found:
             other = found["like"]
-            if other in below + [name]:
+            if other not in self._known:
+                raise CaseError(f"{path}: like: {nearest(other, list(self._known), 'case')}")
+            if self._known[other] in below + [folder]:
                 raise CaseError(f"{path}: like = {other}: a case cannot be like itself")
-            if other not in _folders():
-                raise CaseError(f"{path}: like: {nearest(other, list(_folders()), 'case')}")
-            self._load(other, below + [name])
+            self._load(self._known[other], below + [folder])
         self.folders.append(folder)
         try:
             for key, entry in found.get("parameters", {}).items():

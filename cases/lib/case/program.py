@@ -1,12 +1,50 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-"""How a program of cases/ ends."""
+"""How a program of cases/ speaks, and how it ends."""
 
 import contextlib
+import json
 import os
 import sys
 
 from cases.lib.case import files, stops
 from cases.lib.case.errors import CaseError
+
+
+_wish = {"result": None, "stream": None}
+
+
+def speak(as_json=False, quiet=False):
+    """Leaves the standard output to the result as JSON, or to nothing: what is said besides goes to
+    the standard error, or nowhere. Of this process and of those it starts."""
+    sys.stdout.flush()
+    if as_json:
+        _wish["stream"] = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    if quiet:
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, 1)
+        os.close(nowhere)
+    elif as_json:
+        os.dup2(2, 1)
+
+
+def result(found):
+    """Notes a program's result for --json: the path of its JSON file, or a value."""
+    _wish["result"] = found
+
+
+def _told():
+    """Writes the result as JSON, where that is wished for."""
+    stream, found = _wish["stream"], _wish["result"]
+    if stream is None or found is None:
+        return
+    if isinstance(found, str):
+        if not os.path.isfile(found):
+            return
+        with open(found, encoding="utf-8") as f:
+            found = json.load(f)
+    json.dump(found, stream, indent=2)
+    stream.write("\n")
+    stream.flush()
 
 
 def guarded(work, program):
@@ -15,6 +53,7 @@ def guarded(work, program):
         status = work()
         with files.naming("standard output"):
             sys.stdout.flush()
+            _told()
         return status
     except CaseError as e:
         return _said(program, e, 2)

@@ -12,7 +12,8 @@ by its own name wins.
 
 import os
 
-from cases.lib.case.casefile import TOP, text
+from cases.lib.case import places
+from cases.lib.case.casefile import text
 from cases.lib.case.errors import CaseError
 
 
@@ -112,7 +113,7 @@ def path(out, *default):
     """The folder of --out, else that of the default in results."""
     if out is not None and not out.strip():  # a variable of a script that is not set
         raise CaseError(f"--out {out!r}: must name a folder")
-    return os.path.abspath(os.path.join(TOP, "results", *default) if out is None else out)
+    return os.path.abspath(os.path.join(places.base(), "results", *default) if out is None else out)
 
 
 def folder(out, *default):

@@ -5,7 +5,7 @@ import os
 import tempfile
 import unittest
 
-from cases.lib.case import settings
+from cases.lib.case import places, settings
 from cases.lib.case.casefile import Case
 from cases.lib.case.errors import CaseError
 
@@ -81,7 +81,7 @@ class SettingsTest(unittest.TestCase):
             self.assertTrue(os.path.isdir(settings.folder(os.path.join(top, "a", "b"))))
             path = os.path.join(top, "file")
             open(path, "w", encoding="utf-8").close()
-            self.assertEqual(settings.path(None, "a"), os.path.join(settings.TOP, "results", "a"))
+            self.assertEqual(settings.path(None, "a"), os.path.join(places.TOP, "results", "a"))
             for wrong, says in (("", "must name a folder"), (" ", "must name a folder"),
                                 (path, "is a file; name a folder"), (os.path.join(path, "b"), "Not a directory")):
                 with self.assertRaisesRegex(CaseError, says):

@@ -4,6 +4,7 @@
 import numpy as np
 
 from cases.lib.calibration import stagefit
+from cases.lib.case.places import called
 from cases.lib.figures import print_figure
 
 _END, _QUICK = 64.0, 2.0  # [s]
@@ -73,5 +74,5 @@ def draw(number, made, options):
     ends = {1: "", 2: f" The first ends at {breaks}.", 3: f" They end at {breaks}."}[found.count]
     return fig, (
         f"Settling curve of charged clumps to {t[-1]:.3g} s = {t[-1] * run.days:.3g} days, with {stages} found by "
-        f"cases/stages' method (near-linear, each at most half as fast as the one before): "
+        f"{called('stages')}' method (near-linear, each at most half as fast as the one before): "
         f"{'; '.join(f'({k + 1}) {n}' for k, n in enumerate(named))}; 95 % intervals.{ends}{few}{slow} {run.words()}.")

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from cases.lib.case import settings
 from cases.lib.case.errors import CaseError, nearest
+from cases.lib.case.places import called
 from cases.lib.case.program import run as run_program
 from cases.lib.run import runs
 
@@ -65,7 +66,7 @@ class Made:
 
 def parser():
     p = argparse.ArgumentParser(
-        prog="cases/figures", allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter,
+        prog=called("figures"), allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Draws this project's counterparts of the paper's figures from runs.\n"
                     "Runs that are missing are made first; those that are there are used again.",
         epilog="figures:\n" + "\n".join(f"  {n:<4}{says}" for n, (says, _) in FIGURES.items()))
@@ -90,7 +91,7 @@ def chosen(words):
         number = word.lower().removeprefix("fig").lstrip(".-")
         if number not in map(str, FIGURES):
             raise CaseError(nearest(word, [str(n) for n in FIGURES], "figure")
-                            + "; cases/figures --help lists them")
+                            + f"; {called('figures')} --help lists them")
         found.append(int(number))
     return sorted(set(found)) or list(FIGURES)
 
@@ -146,9 +147,9 @@ def main():
             continue
         draw(number, {label: Made.read(r.folder) for label, r in mine.items()}, options)
     for error in dict.fromkeys(failed):
-        print(f"cases/figures: {error}", file=sys.stderr)
+        print(f"{called('figures')}: {error}", file=sys.stderr)
     return 1 if failed else 0
 
 
 if __name__ == "__main__":
-    run_program(main, "cases/figures")
+    run_program(main, called("figures"))

@@ -8,9 +8,10 @@ import math
 import os
 import sys
 
-from cases.lib.case import settings
+from cases.lib.case import program, settings
 from cases.lib.case.casefile import Case, text
 from cases.lib.case.errors import CaseError
+from cases.lib.case.places import called
 from cases.lib.case.program import run as run_program
 from cases.lib.run import launch, runs
 
@@ -44,10 +45,10 @@ def meeting(column):
 
 def parser():
     p = argparse.ArgumentParser(
-        prog="cases/kynch", allow_abbrev=False,
+        prog=called("kynch"), allow_abbrev=False,
         description="Compares a column of equal spheres with Kynch's theory: flux of the running drag law, no fitted "
                     "number, and Richardson and Zaki's.",
-        epilog="cases/run NAME --keys lists a case's keys.")
+        epilog=f"{called('run')} NAME --keys lists a case's keys.")
     p.add_argument("name", nargs="?", metavar="CASE", default="sphere-half", help="the case (sphere-half)")
     p.add_argument("--seeds", type=int, default=5, metavar="N", help="runs with the packings 1 to N (5)")
     p.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="change a value of the case")
@@ -192,6 +193,7 @@ def write(out, name, comparisons):
                 table.writerow([text(c.column.phi_0), r["quantity"],
                                 *("" if r[k] is None else text(r[k]) for k in
                                   ("theory", "mean", "spread", "standard_error", "error")), len(c.runs)])
+    program.result(os.path.join(out, "kynch.json"))
     with open(os.path.join(out, "kynch.json"), "w", encoding="utf-8") as f:
         json.dump({"case": name, "comparisons": [c.as_json() for c in comparisons]}, f, indent=2)
         f.write("\n")
@@ -217,7 +219,7 @@ def solve(args):
         print(column.waves())
         print(f"  start from rest: lag {column.start.lag:.4f} s; Richardson-Zaki: n = {column.rz.exponent:.3g}, "
               f"interface {1e3 * column.kynch_rz.interface_speed:.4g} mm/s, meeting at {column.kynch_rz.t_c:.4g} s")
-        out = settings.folder(args.out, "kynch", args.name)
+        out = settings.folder(args.out, "kynch", Case(args.name).name)
         suffix = f"-{phi_0}" if phi_0 else ""
         kynch_picture.curves(os.path.join(out, f"theory{suffix}.png"), column, [], case.title)
         if number == 0:
@@ -234,13 +236,13 @@ def make(args):
     for phi_0 in fractions(args.phi0):
         case, changes = changed(args.name, args.set, phi_0)
         if "seed" in changes:
-            raise CaseError("--set seed: cases/kynch takes the seeds 1 to N; use --seeds N")
+            raise CaseError(f"--set seed: {called('kynch')} takes the seeds 1 to N; use --seeds N")
         values = values_of(case)
         kynch_column.refuse(args.name, values)
         changes.setdefault("end", kynch_column.enough(values))
         changes.setdefault("frames", 80)
         wanted.append([(args.name, {**changes, "seed": k + 1}) for k in range(args.seeds)])
-    settings.folder(args.out, "kynch", args.name)  # refuses before the runs
+    settings.folder(args.out, "kynch", Case(args.name).name)  # refuses before the runs
     flat = iter(runs.Store(args.store).run_many([w for group in wanted for w in group], args.jobs))
     groups, failed = [], []
     for group in wanted:
@@ -248,7 +250,7 @@ def make(args):
         failed += [r.error for r in results if r.error]
         groups.append([r.folder for r in results if not r.error])
     for error in failed:
-        print(f"cases/kynch: {error}", file=sys.stderr)
+        print(f"{called('kynch')}: {error}", file=sys.stderr)
     return [g for g in groups if g], bool(failed)
 
 
@@ -276,17 +278,17 @@ def main():
             if args.runs:
                 raise
             # the other groups may be good
-            print(f"cases/kynch: {e}", file=sys.stderr)
+            print(f"{called('kynch')}: {e}", file=sys.stderr)
             failed = True
     if not comparisons:
         return 1
-    out = settings.folder(args.out, "kynch", args.name)
+    out = settings.folder(args.out, "kynch", Case(args.name).name)
     from cases.lib.kynch import kynch_picture
     for k, c in enumerate(comparisons):
         print(("\n" if k else "") + c.table())
         suffix = f"-{c.column.phi_0:.4f}" if len(comparisons) > 1 else ""
         kynch_picture.curves(os.path.join(out, f"kynch{suffix}.png"), c.column, c.runs,
-                             Case(c.runs[0].record.case).title)
+                             c.runs[0].record.title)
     kynch_picture.flux(os.path.join(out, "flux.png"), comparisons[0].column, comparisons)
     write(out, args.name if not args.runs else comparisons[0].runs[0].record.case, comparisons)
     print(f"results in {out}")
@@ -294,4 +296,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run_program(main, "cases/kynch")
+    run_program(main, called("kynch"))

@@ -21,6 +21,7 @@ import os
 import numpy as np
 
 from cases.lib.case.errors import CaseError
+from cases.lib.case.places import called
 from cases.lib.output import spheres
 from cases.lib.run import runs
 
@@ -41,12 +42,13 @@ class Record:
             with open(os.path.join(folder, "summary.json"), encoding="utf-8") as f:
                 summary = json.load(f)
             self.case, self.values = summary["case"], summary["settings"]
+            self.title = summary.get("title", self.case)
             missing = [k for k in _NEEDED if k not in self.values]
         except OSError:
             raise CaseError(f"{folder}: holds no summary.json; name the folder of a finished run of "
-                            "cases/run") from None
+                            f"{called('run')}") from None
         except (ValueError, KeyError, TypeError):
-            raise CaseError(f"{folder}/summary.json: was not written by cases/run") from None
+            raise CaseError(f"{folder}/summary.json: was not written by {called('run')}") from None
         if summary.get("complete") is False:
             raise CaseError(f"{folder}: is not complete: {summary.get('reason', 'it was stopped')}; "
                             "name a finished run")

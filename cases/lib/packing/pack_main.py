@@ -8,18 +8,19 @@ import os
 
 import numpy as np
 
-from cases.lib.case import casefile, settings
+from cases.lib.case import casefile, program, settings
 from cases.lib.case.errors import CaseError
+from cases.lib.case.places import called
 from cases.lib.case.program import run as run_program
 from cases.lib.packing import packing
 
 
 def parser():
     p = argparse.ArgumentParser(
-        prog="cases/pack", allow_abbrev=False,
+        prog=called("pack"), allow_abbrev=False,
         description="Makes the packing of a case: packing.places for fix insert/placed, the report "
                     "packing.json, the picture packing.png, and packing.vtu for ParaView.",
-        epilog="cases/run NAME --keys lists a case's keys; packing, solid_fraction, fill_height and "
+        epilog=f"{called('run')} NAME --keys lists a case's keys; packing, solid_fraction, fill_height and "
                "seed are among them.")
     p.add_argument("name", metavar="NAME", help="the case")
     p.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="change a value")
@@ -94,11 +95,12 @@ def main():
     if "packing" not in case.values:
         raise CaseError(f"case {args.name} has no packing")
     v = {**case.values, **case.derive(1, 1)}
-    out = args.name + "-packing"
+    out = case.name + "-packing"
     _clear(settings.path(args.out, out))
     folder = settings.folder(args.out, out)
     report = packing.write(folder, v)
     print(json.dumps(report, indent=2))
+    program.result(report)
     if not args.no_pictures:
         draw(folder, v, report)
     print(f"packing: files in {os.path.relpath(folder)}")
@@ -106,4 +108,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run_program(main, "cases/pack")
+    run_program(main, called("pack"))

@@ -173,7 +173,7 @@ def _write_places(folder, about, kinds, x, q, what):
             numbers = [*centre, *turn] if what == "clumps" else centre
             f.write(kind + "".join(f" {c:.15g}" for c in numbers) + "\n")
     with open(os.path.join(folder, "packing.liggghts"), "w", encoding="utf-8") as f:
-        f.write("# This file is made by cases/run: every particle in its place\n"
+        f.write("# This file is made by clayFoam: every particle in its place\n"
                 f"fix put all insert/placed file packing.places templates {' '.join(templates)}\n")
 
 

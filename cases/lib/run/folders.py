@@ -9,7 +9,7 @@ import re
 import shlex
 import shutil
 
-from cases.lib.case import files
+from cases.lib.case import files, places
 from cases.lib.case.casefile import TOP
 from cases.lib.case.errors import CaseError
 
@@ -49,9 +49,15 @@ def read_mark(folder):
     return found if good else None
 
 
+def of(mark):
+    """The case a mark names, as Case takes it."""
+    return mark.get("from", mark["case"])
+
+
 def write_mark(folder, case, ranks):
     """Marks the folder as this case's, for programs and to be read."""
-    files.write_json(os.path.join(folder, MARK), {_FORMAT: 1, "case": case.name, "title": case.title,
+    own = {"from": case.reference} if case.reference != case.name else {}
+    files.write_json(os.path.join(folder, MARK), {_FORMAT: 1, "case": case.name, **own, "title": case.title,
                                                   "values": case.values, "ranks": list(ranks)})
     with files.writing(os.path.join(folder, "case.txt")) as f:
         f.write(f"{case.name}: {case.title}\n\n{case.table()}\n")
@@ -125,21 +131,21 @@ def place_of(case_name, out):
     fit(TOP, "the project's folder", "move the project")
     if out is not None and not out.strip():
         raise CaseError(f"--out {out!r}: must name a folder")
-    place = os.path.abspath(os.path.join(TOP, "results", case_name) if out is None else out)
+    place = os.path.abspath(os.path.join(places.base(), "results", case_name) if out is None else out)
     fit(place, "--out", "name another folder")
     if os.path.lexists(place) and not os.path.isdir(place):
         raise CaseError(f"--out {place}: is a file; name a folder")
     return place
 
 
-def claim_again(case_name, out):
+def claim_again(case, out):
     """The folder of a run of the case that is to go on, as it is, (its path, the lock it is held by)."""
-    place = place_of(case_name, out)
+    place = place_of(case.name, out)
     mark = read_mark(place)
     if mark is None:
         raise CaseError(f"{place}: holds no run to go on with")
-    if mark["case"] != case_name:
-        raise CaseError(f"{place}: holds a run of case {mark['case']}")
+    if of(mark) != case.reference:
+        raise CaseError(f"{place}: holds a run of case {of(mark)}")
     return place, _lock(place)
 
 
@@ -149,7 +155,7 @@ def offer(place, case, called=None):
     mark, end = read_mark(place), case.values["end"]
     pairs = os.path.join(place, "checkpoints")
     saved = os.path.isdir(pairs) and any(map(str.isdigit, os.listdir(pairs)))
-    if mark is None or mark["case"] != case.name or not saved:
+    if mark is None or of(mark) != case.reference or not saved:
         return ""
     there = summary(place)
     reached = there.get("simulated_s") or 0
@@ -160,7 +166,8 @@ def offer(place, case, called=None):
     if beyond > 0.5 * case.values["dem_step"] + 1e-9 * end or beyond > -1e-9 * end and there.get("complete"):
         return ""
     further = "" if mark["values"].get("end") == end else f" --end {end:.12g}"
-    return f"cases/run {case.name} --out {shlex.quote(called or place)} --continue{further}"
+    return (f"{places.called('run')} {shlex.quote(case.reference)} --out {shlex.quote(called or place)} "
+            f"--continue{further}")
 
 
 def claim(case, out, overwrite=False, dry_run=False, tell=print):
@@ -183,9 +190,10 @@ def claim(case, out, overwrite=False, dry_run=False, tell=print):
                 raise CaseError(f"--out {place}: holds {what}; name another folder, or give --overwrite to delete it" +
                                 (f", or go on with it: {more}" if more else ""))
             aside = _free(place)
-            more = offer(place, case, os.path.relpath(aside, TOP))
+            more = offer(place, case, os.path.relpath(aside, places.base()))
             os.rename(place, aside)
-            tell(f"{os.path.relpath(place, TOP)} held {what}: it is {os.path.relpath(aside, TOP)} now" +
+            here, there = (os.path.relpath(p, places.base()) for p in (place, aside))
+            tell(f"{here} held {what}: it is {there} now" +
                  (f"; it would go on by {more}" if more else ""))
             lock.close()
             lock = _lock(place)

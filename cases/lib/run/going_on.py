@@ -10,6 +10,7 @@ import shutil
 
 from cases.lib.case import files, openfoam
 from cases.lib.case.errors import CaseError
+from cases.lib.case.places import called
 from cases.lib.run import folders, prepare, saved_pairs as pairs, series, state
 
 # the last entry of a name counts
@@ -34,7 +35,7 @@ def chosen(folder, steps, end, tell=print):
     """The pair from which a run goes on to its end, of so many steps and at that time [s]."""
     pair = pairs.latest(folder, tell)
     if pair.step == steps and not state.complete(folder):
-        tell(f"cases/run: passed over, the run was ended after it had saved its end: {pair.folder}")
+        tell(f"{called('run')}: passed over, the run was ended after it had saved its end: {pair.folder}")
         pair = pairs.latest(folder, tell, before=pair.step)
     if pair.step >= steps:
         raise CaseError(f"{folder}: its last saved state is that of {pair.time:.6g} s, the run's end {end:.6g} s: "

@@ -14,8 +14,7 @@ import threading
 import time
 from dataclasses import dataclass
 
-from cases.lib.case import cache, files, openfoam, stops
-from cases.lib.case.casefile import TOP
+from cases.lib.case import cache, files, openfoam, places, stops
 from cases.lib.case.errors import CaseError
 from cases.lib.run import openmpi
 
@@ -110,7 +109,7 @@ class Run:
     def script(self):
         """What one types to run the case by hand."""
         lines = [f"cd {shlex.quote(self.folder)}",
-                 f"export PATH={shlex.quote(os.path.join(TOP, 'build', 'bin'))}:$PATH"]
+                 f"export PATH={shlex.quote(places.programs()[0])}:$PATH"]
         lines += [f"export {k}={shlex.quote(v)}" for k, v in self.exports().items()]
         return "\n".join(lines + [shlex.join(self.command())]) + "\n"
 
@@ -119,7 +118,7 @@ class Run:
             f.write("#!/bin/sh\n# This run by hand.\n" + self.script())
 
     def environment(self):
-        path = os.path.join(TOP, "build", "bin") + os.pathsep + os.environ.get("PATH", "")
+        path = places.programs()[0] + os.pathsep + os.environ.get("PATH", "")
         return {**os.environ, **self.exports(), "PATH": path}
 
     def go(self, lock=None):
@@ -128,7 +127,7 @@ class Run:
         words.insert(1, "--tag-output")
         for program in ("mpirun", "liggghts-clay", "clayFoam"):
             if not shutil.which(program, path=self.environment()["PATH"]):
-                raise CaseError(f"{program} is not there; cmake/setup.sh installs and builds all")
+                raise CaseError(f"{program} is not there; {places.cure()}")
         began = time.monotonic()
         adopt_orphans()
         halves = None
@@ -145,7 +144,7 @@ class Run:
             status = halves.wait()
             watch.join()
         except stops.Stopped as e:
-            return Outcome(128 + e.signal, f"ended by {e} to cases/run")
+            return Outcome(128 + e.signal, f"ended by {e} to {places.called('run')}")
         finally:
             with stops.passed_over():
                 self._end(halves)

@@ -39,7 +39,7 @@ def scripts(out):
 
 def parameters(out, values):
     """Hands every value to both halves, to each in its own words."""
-    head = "This file is made by cases/run from case.json"
+    head = "This file is made by clayFoam from case.json"
     with files.writing(os.path.join(out, "parameters.liggghts")) as f:
         f.write(f"# {head}\n")
         f.writelines(f'variable {k} string "{text(v)}"\n' for k, v in values.items())

@@ -5,15 +5,14 @@ import contextlib
 import csv
 import glob
 import os
-import re
 import shutil
 import subprocess
 import sys
 import time
 
-from cases.lib.case import files, openfoam, program
-from cases.lib.case.casefile import TOP
+from cases.lib.case import files, openfoam, places, program
 from cases.lib.case.errors import CaseError
+from cases.lib.case.places import called
 from cases.lib.run import series, state
 from cases.lib.theory import screening
 
@@ -60,12 +59,6 @@ def _alone(run):
     return time.monotonic() - began
 
 
-def _version():
-    """The project's version, from where CMake has it."""
-    with open(os.path.join(TOP, "CMakeLists.txt"), encoding="utf-8") as f:
-        return re.search(r"project\(\w+ VERSION ([\d.]+)", f.read()).group(1)
-
-
 def _sum(*values):
     """The sum, None when one of them is."""
     return None if None in values else sum(values)
@@ -77,11 +70,12 @@ def summary(case, run, derived, alone_s, lacking=""):
     dem, cfd = state.halves(run.folder)
     s = {
         "case": case.name,
+        "title": case.title,
         "complete": not lacking,
         "simulated_s": state.reached(run.folder),
         "end": case.values["end"],
         **({"reason": lacking} if lacking else {}),
-        "versions": {"clayFoam": _version(), "dem": dem.get("program"),
+        "versions": {"clayFoam": places.version(), "dem": dem.get("program"),
                      "cfd": f"{cfd['program']} on OpenFOAM {cfd.get('openfoam', '')}".strip() if cfd else None},
         "settings": {**case.values, **derived, "dem": dem.get("settings", {}),
                      "cfd": cfd.get("settings", {})},
@@ -151,7 +145,7 @@ def finish(case, run, derived, alone=False, pictures=True, lacking=""):
     try:
         more = _draw(case, run, derived, pictures, torn=bool(lacking))
     except (CaseError, OSError) as e:
-        print(f"cases/run: the run is {'not ' if lacking else ''}complete, its report is not: {program.said(e)}",
+        print(f"{called('run')}: the run is {'not ' if lacking else ''}complete, its report is not: {program.said(e)}",
               file=sys.stderr)
         return 4
     print(table(s) + more)
@@ -163,7 +157,7 @@ def finish(case, run, derived, alone=False, pictures=True, lacking=""):
         print(f"not complete, {s['simulated_s']:.4g} s of {v['end']:.4g} s: {lacking}")
         return 1
     if s["particles_lost"]:
-        print(f"cases/run: {s['particles_lost']} particles were lost", file=sys.stderr)
+        print(f"{called('run')}: {s['particles_lost']} particles were lost", file=sys.stderr)
         return 3
     return 0
 

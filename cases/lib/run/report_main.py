@@ -6,11 +6,12 @@ import os
 
 from cases.lib.case import casefile, files, program
 from cases.lib.case.errors import CaseError
+from cases.lib.case.places import called
 
 
 def parser():
     p = argparse.ArgumentParser(
-        prog="cases/report", allow_abbrev=False,
+        prog=called("report"), allow_abbrev=False,
         description="Makes the pictures, the files for ParaView and the summary of a run, also of one that was "
                     "stopped or was run by hand. Exit code 0: they are made.")
     p.add_argument("folder", metavar="DIR", help="the run's folder")
@@ -24,7 +25,7 @@ def case_of(folder):
     mark = folders.read_mark(folder)
     if mark is None:
         raise CaseError(f"{folder}: is no run's folder; it lacks {folders.MARK}")
-    case = casefile.Case(mark["case"])
+    case = casefile.Case(folders.of(mark))
     lacking = sorted(set(case.values) - set(mark["values"]))
     if lacking:
         raise CaseError(f"{folder}: was made by another version of this project; it says nothing of {lacking[0]}")
@@ -41,6 +42,7 @@ def main():
         lock = files.Lock(os.path.join(folder, folders.LOCK))
     except files.Taken:
         raise CaseError(f"{folder}: the run is under way") from None
+    program.result(os.path.join(folder, "summary.json"))
     with lock:
         run = launch.Run(folder, dem, cfd)
         before = folders.summary(folder)
@@ -55,4 +57,4 @@ def main():
 
 
 if __name__ == "__main__":
-    program.run(main, "cases/report")
+    program.run(main, called("report"))

@@ -7,14 +7,15 @@ import sys
 
 from cases.lib.case import casefile, program, settings, stops
 from cases.lib.case.errors import CaseError
+from cases.lib.case.places import called
 
 
 def parser():
     p = argparse.ArgumentParser(
-        prog="cases/run", description="Runs a coupled case; its results go to results/NAME.",
-        epilog="cases/run NAME --keys lists a case's keys. Exit codes: 0 a complete run, 1 it failed, 2 bad input, "
-               "3 particles were lost, 4 complete but for its report, 128 + N ended by signal N.", allow_abbrev=False)
-    p.add_argument("name", nargs="?", metavar="NAME", help="the case")
+        prog=called("run"), allow_abbrev=False, description="Runs a coupled case; its results go to results/NAME.",
+        epilog=f"{called('run')} NAME --keys lists a case's keys. Exit codes: 0 a complete run, 1 it failed, "
+               "2 bad input, 3 particles were lost, 4 complete but for its report, 128 + N ended by signal N.")
+    p.add_argument("name", nargs="?", metavar="NAME", help="the case, or the path of a case's folder")
     p.add_argument("--list", action="store_true", help="list the cases and stop")
     p.add_argument("--keys", action="store_true", help="list the case's keys and stop")
     # cmake/start.sh takes it
@@ -51,14 +52,16 @@ def main():
     if args.list:
         for line in listed():
             print(line)
+        program.result(casefile.names())
         return 0
     if not args.name:
-        raise CaseError("which case? cases/run --list names them")
+        raise CaseError(f"which case? {called('run')} --list names them")
     case = casefile.Case(args.name)
     changes = args.set + ([f"end={args.end}"] if args.end is not None else [])
     settings.apply(case, settings.read(changes), print)
     if args.keys:
         print(case.table())
+        program.result({key: {**entry, "value": case.values[key]} for key, entry in case.parameters.items()})
         return 0
     for option, ranks in (("--dem", args.dem), ("--cfd", args.cfd)):
         if ranks is not None and ranks < 1:
@@ -92,7 +95,7 @@ def go_on(args):
     if args.set or args.overwrite or args.dry_run:
         raise CaseError("--continue goes on with the run as it is: only --end, --dem, --cfd go with it")
     from cases.lib.run import folders, going_on, launch, report_main
-    folder, lock = folders.claim_again(args.name, args.out)
+    folder, lock = folders.claim_again(casefile.Case(args.name), args.out)
     with lock:
         case, ranks = report_main.case_of(folder)
         if args.end is not None:
@@ -102,7 +105,7 @@ def go_on(args):
         run = launch.Run(folder, derived["dem_ranks"], derived["cfd_ranks"])
         run.restart = os.path.relpath(pair.dem, folder)
         run.write_script()
-        print(f"cases/run: goes on from {pair.time:.6g} s of {case.values['end']:.6g} s, "
+        print(f"{called('run')}: goes on from {pair.time:.6g} s of {case.values['end']:.6g} s, "
               f"the state in {os.path.relpath(pair.folder, folder)}", flush=True)
         return go(case, run, derived, lock, args)
 
@@ -111,6 +114,7 @@ def go(case, run, derived, lock, args):
     """Runs a prepared case, says how it ended, and reports it; gives the exit code."""
     from cases.lib.run import folders, state
     end = case.values["end"]
+    program.result(os.path.join(run.folder, "summary.json"))
     state.write(run.folder, case.name, end, state.UNDER_WAY)
     try:
         outcome = run.go(lock)
@@ -127,8 +131,9 @@ def go(case, run, derived, lock, args):
             s = state.write(run.folder, case.name, end, reason, run.wall)
             more = folders.offer(run.folder, case)
             further = f"; it would go on by {more}" if more else ""
-            print(f"cases/run: stopped after {run.wall:.1f} s at {s['simulated_s']:.4g} s of {end:.4g} s; "
-                  f"logs in {run.folder}/DEM/log and CFD/log; cases/report draws what there is{further}\n{reason}",
+            print(f"{called('run')}: stopped after {run.wall:.1f} s at {s['simulated_s']:.4g} s of {end:.4g} s; "
+                  f"logs in {run.folder}/DEM/log and CFD/log; "
+                  f"{called('report')} draws what there is{further}\n{reason}",
                   file=sys.stderr)
         return code
     from cases.lib.run import report
@@ -136,4 +141,4 @@ def go(case, run, derived, lock, args):
 
 
 if __name__ == "__main__":
-    program.run(main, "cases/run")
+    program.run(main, called("run"))

@@ -12,7 +12,7 @@ import hashlib
 import json
 import os
 
-from cases.lib.case import openfoam
+from cases.lib.case import openfoam, places
 from cases.lib.case.casefile import CASES, TOP
 from cases.lib.case.errors import CaseError
 
@@ -24,7 +24,7 @@ def _file_hash(path):
     try:
         s = os.stat(path)
     except OSError:
-        raise CaseError(f"{path} is not there; cmake/setup.sh installs and builds all") from None
+        raise CaseError(f"{path} is not there; {places.cure()}") from None
     stamp = (path, s.st_mtime_ns, s.st_size)
     if stamp not in _hashes:
         with open(path, "rb") as f:
@@ -53,10 +53,10 @@ def _modules(name, found):
 
 def programs():
     """Hashes of the programs and libraries that this project builds."""
-    build = os.path.join(TOP, "build")
-    files = [os.path.join(build, "bin", p) for p in ("liggghts-clay", "clayFoam")]
-    files += sorted(glob.glob(os.path.join(glob.escape(build), "lib", "*.so")))
-    return {os.path.relpath(p, TOP): _file_hash(p) for p in files}
+    programs, libraries = places.programs()
+    files = [os.path.join(programs, p) for p in ("liggghts-clay", "clayFoam")]
+    files += sorted(glob.glob(os.path.join(glob.escape(libraries), "libclay*.so")))
+    return {os.path.basename(p): _file_hash(p) for p in files}
 
 
 def inputs(case):

@@ -20,7 +20,7 @@ import time
 import warnings
 from dataclasses import dataclass
 
-from cases.lib.case import files, settings, stops
+from cases.lib.case import files, places, settings, stops
 from cases.lib.case.casefile import Case, TOP, text
 from cases.lib.case.errors import CaseError
 from cases.lib.run import folders, launch, openmpi, runkey, state
@@ -100,7 +100,7 @@ class Store:
     """
 
     def __init__(self, folder=None, ranks=(1, 1), tell=None, command=None, frames=2):
-        self.folder = os.path.abspath(folder or os.path.join(TOP, "results", "runs"))
+        self.folder = os.path.abspath(folder or os.path.join(places.base(), "results", "runs"))
         self.ranks, self.frames = ranks, frames
         self.tell = tell or (lambda line: print(line, flush=True))
         self.command = command or self._command
@@ -117,7 +117,7 @@ class Store:
         settings.apply(case, {"frames": self.frames, **changes})
         derived = case.derive(*self.ranks)
         key = runkey.key(case, derived)
-        return _Job(name, changes, key, os.path.join(self.folder, f"{name}-{key}"), float(derived["steps"]))
+        return _Job(name, changes, key, os.path.join(self.folder, f"{case.name}-{key}"), float(derived["steps"]))
 
     def finished(self, name, changes):
         """The folder of a run that is there already, else None."""
@@ -283,7 +283,7 @@ def _error(log, status):
     """The line of a failed run's log that says why."""
     with open(log, encoding="utf-8", errors="replace") as f:
         lines = [x.strip() for x in f if x.strip()]
-    after = [i for i, x in enumerate(lines) if x.startswith("cases/run: stopped")]
+    after = [i for i, x in enumerate(lines) if x.startswith(f"{places.called('run')}: stopped")]
     if after and after[-1] + 1 < len(lines):
         return lines[after[-1] + 1]
     return lines[-1] if lines else f"exit code {status}"

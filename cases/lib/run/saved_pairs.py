@@ -9,6 +9,7 @@ import zlib
 from dataclasses import dataclass
 
 from cases.lib.case.errors import CaseError
+from cases.lib.case.places import called
 
 FOLDER = "checkpoints"
 _FIRST = re.compile(r"pair (\d+) step (\d+)$")
@@ -96,7 +97,7 @@ def latest(run_folder, tell=print, before=None):
         try:
             return read(os.path.join(top, name))
         except CaseError as e:
-            tell(f"cases/run: passed over, not whole: {e}")
+            tell(f"{called('run')}: passed over, not whole: {e}")
     raise CaseError(f"{run_folder} holds no complete saved state (in {FOLDER})")
 
 

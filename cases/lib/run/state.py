@@ -7,7 +7,7 @@ import os
 from cases.lib.case import files
 from cases.lib.run import folders
 
-UNDER_WAY = "it is under way, or cases/run was killed"
+UNDER_WAY = "it is under way, or what ran it was killed"
 
 
 def _read(folder, *names):

@@ -6,6 +6,7 @@ import os
 
 import pytest
 
+from cases.lib.case import places
 from cases.lib.case.casefile import Case
 from cases.lib.case.errors import CaseError
 from cases.lib.run import folders, state
@@ -19,7 +20,8 @@ def case():
 @pytest.fixture
 def top(tmp_path, monkeypatch):
     """A project folder of the test's own, for results/NAME."""
-    monkeypatch.setattr(folders, "TOP", str(tmp_path))
+    for module in (folders, places):
+        monkeypatch.setattr(module, "TOP", str(tmp_path))
     return tmp_path
 
 

@@ -10,9 +10,10 @@ import os
 import sys
 
 from cases.lib.calibration import stagefit
-from cases.lib.case import settings
+from cases.lib.case import program, settings
 from cases.lib.case.casefile import Case, text
 from cases.lib.case.errors import CaseError
+from cases.lib.case.places import called
 from cases.lib.case.program import run as run_program
 from cases.lib.run import launch, runs
 
@@ -21,9 +22,9 @@ _MOST_RUNS = 10000
 
 def parser():
     p = argparse.ArgumentParser(
-        prog="cases/sweep", allow_abbrev=False,
+        prog=called("sweep"), allow_abbrev=False,
         description="Runs a case over a grid of values; a run that was made before is not made again.",
-        epilog="cases/run NAME --keys lists a case's keys.")
+        epilog=f"{called('run')} NAME --keys lists a case's keys.")
     p.add_argument("name", metavar="CASE", help="the case")
     p.add_argument("--set", action="append", default=[], metavar="KEY=A,B,C", required=True,
                    help="the values a key takes, each with each of the other keys'; one value: for all runs")
@@ -145,7 +146,7 @@ def main():
         for changes in made:
             print(f"{'there ' if store.finished(args.name, changes) else 'to run'}  {runs.words(changes)}")
         return 0
-    out = settings.folder(args.out, "sweeps", "-".join([args.name, *varied]))
+    out = settings.folder(args.out, "sweeps", "-".join([Case(args.name).name, *varied]))
     results = store.run_many([(args.name, c) for c in made], args.jobs)
     rows = [point(c, r) for c, r in zip(made, results)]
 
@@ -156,6 +157,7 @@ def main():
     with open(os.path.join(out, "sweep.json"), "w", encoding="utf-8") as f:
         json.dump({"case": args.name, "title": case.title, "varied": varied, "points": rows}, f, indent=2)
         f.write("\n")
+    program.result(os.path.join(out, "sweep.json"))
     print(table(rows, shown))
     good = [r for r in rows if not r["error"]]
     if good and varied:
@@ -165,9 +167,9 @@ def main():
     print(f"results in {out}")
     for row in rows:
         if row["error"]:
-            print(f"cases/sweep: {row['error']}", file=sys.stderr)
+            print(f"{called('sweep')}: {row['error']}", file=sys.stderr)
     return 0 if len(good) == len(rows) else 1
 
 
 if __name__ == "__main__":
-    run_program(main, "cases/sweep")
+    run_program(main, called("sweep"))

@@ -2,6 +2,7 @@
 """cmake/FindOpenFOAM.cmake and FindLIGGGHTS.cmake: what they take and what they refuse, with trees of empty files."""
 
 import os
+import shutil
 import re
 import subprocess
 
@@ -39,6 +40,8 @@ class Machine:
         for name in _LIBRARIES:
             (libraries / f"lib{name}.so").write_text("")
         (libraries / "sys-mpi" / "libPstream.so").write_text("")
+        for name in ("FindLIGGGHTS.cmake", "FindOpenFOAM.cmake"):
+            shutil.copy(os.path.join(TOP, "cmake", name), top / "project" / "cmake")
         self.program("bin/dpkg", f"echo {self.packaged}/etc/controlDict")
         self.program("project/cmake/openfoam-headers.sh", 'mkdir -p "$1/src" && printf 1912.200626-1 > "$1/version"')
         self.env = {k: v for k, v in os.environ.items() if not k.startswith(("WM_", "FOAM_"))}
@@ -64,7 +67,7 @@ class Machine:
     def configure(self, host="OpenFOAM", *words):
         """Whether it was found, and all that CMake said."""
         done = subprocess.run(["cmake", "-S", self.top / "project", "-B", self.top / "build",
-                               f"-DMODULES={TOP}/cmake", f"-DHOST={host}", *words],
+                               f"-DMODULES={self.top}/project/cmake", f"-DHOST={host}", *words],
                               env=self.env, text=True, capture_output=True, check=False)
         return done.returncode == 0, done.stdout + done.stderr
 

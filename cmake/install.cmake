@@ -7,6 +7,7 @@
 #   share/clayfoam/       cases, and the Python that runs them
 # The prefix may be moved as a whole. What one builds against stands in the
 # component `development`.
+set(CMAKE_INSTALL_DOCDIR share/doc/clayfoam CACHE PATH "Documents of an installation")
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -91,4 +92,5 @@ install(DIRECTORY cases DESTINATION ${_share}
   REGEX "/(test_[^/]*[.]py|__pycache__|[^/]*[.]md)$" EXCLUDE
   REGEX "/cases/(run|report|pack|kynch|stages|sweep|calibrate|scaling|figures|clay)$" EXCLUDE)
 install(FILES cmake/clay.bash RENAME clay DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES README.md LICENSE CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

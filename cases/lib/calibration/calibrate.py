@@ -135,9 +135,12 @@ def report(name, data, changes, made, folders):
     else:
         scale_says = _word(scale[0], f.s, scale[1])
     last = calloop.end_of_consolidation(made)
-    if f.known and not f.determined:
+    why = calloop.unpredictable(made)
+    if why:
+        notes.append(f"{why}: nothing is predicted")
+    elif f.known and not f.determined:
         notes.append("the end of consolidation is that of the charges tried, which do not bound the charge")
-    if not last["reached"]:
+    if not why and not last["reached"]:
         notes.append("the runs are not at rest at their end: the end of consolidation is only bounded from below")
     return {
         "case": name, "changes": changes, "data": os.path.abspath(data.path), "height0": data.height0,
@@ -150,7 +153,7 @@ def report(name, data, changes, made, folders):
         "rms_misfit": f.rms, "rms_expected": f.expected if f.known else None, "noise_of_data": data.noise,
         "stages_of_data": {"count": len(data.slopes), "breaks_days": data.breaks.tolist(),
                            "slopes_per_day": data.slopes.tolist()},
-        "end_of_consolidation": {**last, "is": "1 % of the whole fall is left"},
+        "end_of_consolidation": {**last, "is": why and "not predicted" or "1 % of the whole fall is left"},
         "stopped": made.why, "notes": notes,
         "runs": [{"charge": q, "seed": s, "folder": d} for q, s, d in zip(made.charges, made.seeds, folders)],
     }
@@ -183,7 +186,9 @@ def write(out, r, data, made):
     with open(os.path.join(out, "calibration.json"), "w", encoding="utf-8") as f:
         json.dump(r, f, indent=2)
         f.write("\n")
-    last = max(data.days[-1], made.problem.e.end * made.fit.s / caldata.DAY)
+    last = data.days[-1]
+    if not calloop.unpredictable(made):
+        last = max(last, made.problem.e.end * made.fit.s / caldata.DAY)
     more = np.linspace(0.0, last, 201)
     days = np.concatenate([data.days, more])
     measured = [text(h) for h in data.height] + [""] * len(more)

@@ -13,14 +13,17 @@ def draw(path, r, data, made):
     f, e = made.fit, made.problem.e
     fig, (ax, plane) = plt.subplots(1, 2, figsize=(10.5, 4.8), width_ratios=(1.7, 1), layout="constrained")
     last = r["end_of_consolidation"]
-    far = max(data.days[-1], e.end * f.s / DAY)
+    why = calloop.unpredictable(made)
+    far = data.days[-1] if why else max(data.days[-1], e.end * f.s / DAY)
     days = np.linspace(0.0, far, 500)
     middle, low, high = (100 * c for c in calloop.band(made, days))
     end = data.days[data.used][-1]
-    ax.fill_between(days, low, high, color="tab:blue", alpha=0.18, lw=0, label=f"{100 * f.level:.0f} % band")
+    shown = days <= end if why else days < np.inf
+    ax.fill_between(days[shown], low[shown], high[shown], color="tab:blue", alpha=0.18, lw=0,
+                    label=f"{100 * f.level:.0f} % band")
     fitted = days <= end
     ax.plot(days[fitted], middle[fitted], color="tab:blue", lw=1.6, label="fitted")
-    if np.any(~fitted):
+    if np.any(~fitted) and not why:
         ax.plot(days[~fitted], middle[~fitted], "--", color="tab:blue", lw=1.6, label="predicted")
     ax.plot(data.days, 100 * data.y, "o", ms=3, color="black", mfc="none", label="measured")
     for b in data.breaks[:2]:

@@ -18,6 +18,7 @@ from cases.lib.calibration.caldata import DAY
 LEAST_DOF = 3  # with less, intervals are mostly the t distribution's tails
 _EXTEND = {0: 0.65, 1: 1.35}
 _EXTENSIONS = 2  # of each end
+_FAR = 3.0  # a misfit over what is expected beyond which the fit says nothing of later days
 _REST = 0.01  # the part of the whole fall that is left at the end of consolidation
 
 
@@ -139,10 +140,25 @@ def rest(t, y):
     return float(t[k]), bool(-slope * 0.25 * (t[-1] - t[0]) < 0.5 * _REST * whole and t[k] < 0.9 * t[-1])
 
 
+def unpredictable(made):
+    """Why nothing beyond the measured curve can be told, "" when it can: the best curve is off by far more than noise
+    and packings explain, or charge or scale is where no further one was tried."""
+    f, e = made.fit, made.problem.e
+    if f.known and f.factor > _FAR:
+        return f"the best curve is {f.factor:.1f} times as far off as noise and spread of packings explain"
+    edge = 1e-3 * (e.high - e.low)
+    for at, word in ((f.q < e.low + edge, "lowest"), (f.q > e.high - edge, "highest")):
+        if at:
+            return f"the charge of the best curve, {f.q:.4g} C, is the {word} tried"
+    return ""
+
+
 def end_of_consolidation(made):
     """Day of it with bounds; where the mean curve is not at rest at its end, it
     is only known to come later than the runs reach."""
     f, e = made.fit, made.problem.e
+    if unpredictable(made):
+        return {"reached": False, "days": None, "low": None, "high": None}
     charges = (f.q, *f.q_interval) if f.known else (f.q,)
     if not all(rest(e.t, e.mean(q))[1] for q in charges):
         day = f.s_interval[0] * e.end / DAY if f.known else None

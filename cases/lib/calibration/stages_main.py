@@ -137,26 +137,29 @@ def as_json(path, fit, stages, names):
 def draw(path, t, z, fit, names, title):
     """The curve, the line fitted to it, its breaks with their intervals."""
     from cases.lib.output.plotting import plt
+    height, knots, slopes = unit(names[1]), fit.heights, fit.slopes
+    if height == "m":  # pictures have millimetres
+        height, z, knots, slopes = "mm", 1e3 * z, 1e3 * knots, 1e3 * slopes
     fig, ax = plt.subplots(figsize=(7, 4.6))
     ax.plot(t, z, "." if t.size < 60 else "-", color="#6aa9dc", ms=4, lw=2.6, label="settling curve")
-    ax.plot(fit.knots, fit.heights, "-", color="black", lw=1.1, label=f"{fit.count} segments"
+    ax.plot(fit.knots, knots, "-", color="black", lw=1.1, label=f"{fit.count} segments"
             if fit.count > 1 else "1 segment")
     for k, (at, (low, high)) in enumerate(zip(fit.breaks, fit.breaks_ci)):
         ax.axvspan(low, high, color="#b3541e", alpha=0.22, lw=0,
                    label=None if k else f"breaks, {100 * fit.level:g} % interval")
         ax.axvline(at, color="#b3541e", lw=0.8)
-    per = f"{unit(names[1]) or names[1]}/{unit(names[0], _TIMES) or names[0]}"
-    for k, slope in enumerate(fit.slopes):
+    per = f"{height or names[1]}/{unit(names[0], _TIMES) or names[0]}"
+    for k, slope in enumerate(slopes):
         if fit.knots[k + 1] - fit.knots[k] < 0.02 * (t[-1] - t[0]):
             continue
         ax.annotate(f"{slope:.3g} {per}" + ("" if fit.linear[k] else ", bends")
                     + (", at rest" if fit.slopes_ci[k][0] <= 0 <= fit.slopes_ci[k][1] else ""),
-                    (0.5 * (fit.knots[k] + fit.knots[k + 1]), 0.5 * (fit.heights[k] + fit.heights[k + 1])),
+                    (0.5 * (fit.knots[k] + fit.knots[k + 1]), 0.5 * (knots[k] + knots[k + 1])),
                     xytext=(7, 9), textcoords="offset points", fontsize=8,
                     bbox={"fc": "white", "ec": "none", "alpha": 0.8, "pad": 1})
     ax.set_xlabel(names[0].replace("_", " ") if not unit(names[0], _TIMES) else f"time [{unit(names[0], _TIMES)}]")
-    ax.set_ylabel(f"{names[1].rpartition('_')[0].replace('_', ' ') or names[1]} [{unit(names[1])}]"
-                  if unit(names[1]) else names[1].replace("_", " "))
+    ax.set_ylabel(f"{names[1].rpartition('_')[0].replace('_', ' ') or names[1]} [{height}]"
+                  if height else names[1].replace("_", " "))
     ax.set_xlim(t[0], t[-1])
     ax.set_ylim(bottom=min(0.0, float(np.min(z))))
     ax.grid(alpha=0.3)
@@ -184,7 +187,7 @@ def main():
             if summary.get("complete") is False:
                 raise CaseError(f"{folder}: is not complete: {summary.get('reason', 'it was stopped')}; its "
                                 "settling.csv can be named all the same")
-            scale, title = float(summary["settings"]["time_scale"]), str(summary["case"])
+            scale, title = float(summary["settings"]["time_scale"]), str(summary.get("title", summary["case"]))
         except (OSError, ValueError, KeyError, TypeError, AttributeError):  # the curve is all that is needed
             scale, title = None, os.path.basename(os.path.abspath(folder))
     elif not os.path.isfile(path):

@@ -16,7 +16,7 @@ from unittest import mock
 import numpy as np
 import pytest
 
-from cases.lib.calibration import caldata, calfit, calibrate, calloop
+from cases.lib.calibration import caldata, calfit, calibrate, calloop, stages_main
 from cases.lib.case import program
 from cases.lib.case.casefile import TOP
 from cases.lib.case.errors import CaseError
@@ -191,6 +191,38 @@ class SearchTest(unittest.TestCase):
         last = calloop.end_of_consolidation(made)
         self.assertEqual((last["reached"], last["days"]), (False, None))
         self.assertAlmostEqual(last["low"], 1.5 * made.fit.s_interval[0] / DAY)
+
+    def test_nothing_is_predicted_from_a_bad_fit_or_from_an_edge(self):
+        good = data_of(3e-10, 8e5, 91)
+        tau = good.days * DAY / 8e5
+        # a second stage that no charge gives
+        bent = caldata.of("bent", good.days, good.height - 0.05 * np.clip(tau - 0.7, 0, 0.5), 0.3)
+        above = data_of(4.5e-10, 8e5, 92)
+        far = calloop.search(above, lambda p: [curve(q, k) for q, k in p], [1.5e-10, 1.8e-10, 2.1e-10], most=3,
+                             tell=lambda line: None)
+        for data, made, words in ((bent, search(bent), "times as far off as noise"),
+                                  (above, far, "C, is the highest tried")):
+            self.assertIn(words, calloop.unpredictable(made))
+            r = calibrate.report("x", data, {}, made, [""] * len(made.charges))
+            last = r["end_of_consolidation"]
+            self.assertEqual((last["days"], last["low"], last["high"]), (None, None, None))
+            self.assertIn("not predicted", calibrate.table(r))
+            self.assertTrue(any(n.endswith("nothing is predicted") for n in r["notes"]))
+            with tempfile.TemporaryDirectory() as out:
+                calibrate.write(out, r, data, made)
+                with open(os.path.join(out, "calibration.csv"), encoding="utf-8") as f:
+                    days = [float(row["days"]) for row in csv.DictReader(f)]
+            self.assertAlmostEqual(max(days), data.days[-1])
+        self.assertEqual(calloop.unpredictable(search(good)), "")
+
+    def test_stages_are_counted_as_cases_stages_does(self):
+        for q, end in ((3e-10, 1.5), (3e-10, 0.4), (4e-10, 1.0)):
+            data = data_of(q, 8e5, 77, end=end)
+            args = stages_main.parser().parse_args(["x", "--samples", "20"])
+            fit, stages = stages_main.find(data.days, data.height, args)
+            said = stages_main.table(fit, stages, ["days", "height_m"], None)
+            self.assertIn(f"settling stages: {len(data.slopes)}", said)
+            self.assertNotIn("fewer than three", said)
 
     def test_three_runs_are_too_few_for_intervals(self):
         made = calloop.search(data_of(3e-10, 8e5, 92), lambda p: [curve(q, k) for q, k in p], CHARGES,

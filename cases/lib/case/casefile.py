@@ -26,8 +26,9 @@ _NEEDED = {
     "curve_rows": {"min": 1, "whole": True},
     "seed": {"min": 1, "whole": True},
 }
-_ENTRIES = ("value", "unit", "is", "choices", "or", "min", "max", "above", "below", "whole", "followed", "sets")
-_PARTS = ("title", "like", "limits", "set", "parameters")
+_ENTRIES = ("value", "unit", "is", "choices", "or", "min", "max", "above", "below", "whole", "followed", "sets",
+            "along")
+_PARTS = ("title", "like", "limits", "set", "parameters", "calibrated")
 _BOUNDS = ("min", "max", "above", "below")
 _MOST_STEPS = 2**31 - 1  # LIGGGHTS counts the steps of a run in 32 bits
 
@@ -77,7 +78,8 @@ def _read(folder):
         if word not in _PARTS:
             raise CaseError(f"{path}: {nearest(word, _PARTS, 'entry')}")
     for word, kind, what in (("title", str, "text"), ("like", str, "a case's name"), ("set", dict, "an object"),
-                             ("limits", dict, "an object"), ("parameters", dict, "an object")):
+                             ("limits", dict, "an object"), ("parameters", dict, "an object"),
+                             ("calibrated", list, "a list of keys")):
         if word in found and not isinstance(found[word], kind):
             raise CaseError(f"{path}: {word}: must be {what}")
     return found
@@ -107,10 +109,11 @@ class Case:
         self.name, self.reference = os.path.basename(folder), own or name
         self._known = {**(_folders((os.path.dirname(own),)) if own else {}), **_folders()}
         self.folders = []  # of the cases this one is like, the remotest first, its own last
-        self.parameters, self.values = {}, {}
+        self.parameters, self.values, self.calibrated = {}, {}, ()
         self._load(folder, [])
         path = os.path.join(folder, HOLDS)
         self.title = _read(folder).get("title", self.name)
+        self._own = dict(self.values)
         for key in _NEEDED:
             if key not in self.values:
                 raise CaseError(f"{path}: the parameter '{key}' is missing; every case has it")
@@ -155,6 +158,10 @@ class Case:
                     raise CaseError(f"set: {key} stands for other keys; set those")
                 self._check(key, value, value)
                 self.values[key] = value
+            for key in found.get("calibrated", ()):
+                if key not in self.values:
+                    raise CaseError(f"calibrated: {nearest(key, list(self.values), 'key')}")
+            self.calibrated = found.get("calibrated", self.calibrated)
         except CaseError as e:
             raise CaseError(f"{path}: {e}") from None
         except (TypeError, AttributeError, OverflowError) as e:
@@ -218,6 +225,36 @@ class Case:
             value = int(value)
         self.values[key] = value
 
+    def changed(self):
+        """What the values of this run are that are not the case's own, {key: (case's, run's)}."""
+        return {k: (self._own[k], v) for k, v in self.values.items() if v != self._own[k]}
+
+    def idle(self):
+        """Keys whose values decide nothing here, since none follows them by their word, with what decides in their
+        place: {"solids": "clumps"}."""
+        found = {}
+        for key in self.parameters:
+            if self.parameters[key].get("followed"):
+                deciding = self._deciding(key)
+                if deciding:
+                    found[key] = deciding
+        return found
+
+    def _deciding(self, key):
+        """Of a followed key, the parameter that is set to a value instead of following it; None if one follows."""
+        instead = None
+        for other, entry in self.parameters.items():
+            words = entry.get("or", ())
+            word = next((w for w in words if (words[w] if isinstance(words, dict) else w) == key), None)
+            if word is None:
+                continue
+            taken = other if self.values[other] != word else (
+                self._deciding(other) if entry.get("followed") else None)
+            if taken is None:
+                return None
+            instead = instead or taken
+        return instead
+
     def derive(self, dem_ranks, cfd_ranks):
         """What both halves' input needs besides: counts of steps, numbers for words."""
         try:
@@ -248,12 +285,14 @@ class Case:
         }
 
     def table(self):
-        """The parameters, one a line."""
-        rows = []
+        """The parameters, one a line, in columns that keep apart."""
+        rows, idle = [], self.idle()
         for key, p in self.parameters.items():
-            unit = p.get("unit", "|".join(p.get("choices", [])))
-            rows.append(f"  {key:<16}{text(self.values[key]):<14}{unit:<12}{p['is']}")
-        return "\n".join(rows)
+            value = "-" if key in idle else text(self.values[key])
+            more = f" (decides nothing here: {idle[key]} = {text(self.values[idle[key]])})" if key in idle else ""
+            rows.append((key, value, p.get("unit", "|".join(p.get("choices", []))), p["is"] + more))
+        wide = [max(len(r[c]) for r in rows) for c in range(3)]
+        return "\n".join("  " + "  ".join(r[c].ljust(wide[c]) for c in range(3)) + "  " + r[3] for r in rows)
 
 
 def prime_seed(seed):

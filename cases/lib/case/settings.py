@@ -82,7 +82,26 @@ def apply(case, given, tell=None):
         case.set(key, word)
     if more and tell:
         tell(said(more))
-    return {**more, **given}
+    cells = _cells(case, given)
+    for key, number in cells.items():
+        case.set(key, str(number))
+    if cells and tell:
+        tell("the mesh follows: " + ", ".join(f"{k} = {n}" for k, n in cells.items()))
+    return {**cells, **more, **given}
+
+
+def _cells(case, given):
+    """Numbers of cells (case.json: along, the length they lie along) that keep the cells' size where that length is
+    given and they are not, as {key: number}."""
+    found, changed = {}, case.changed()
+    for key, entry in case.parameters.items():
+        length = entry.get("along")
+        if length in given and key not in given and length in changed:
+            before, now = changed[length]
+            number = max(1, round(case.values[key] * now / before))
+            if number != case.values[key]:
+                found[key] = number
+    return found
 
 
 def several(case, given):

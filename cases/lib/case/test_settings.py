@@ -31,7 +31,7 @@ class SettingsTest(unittest.TestCase):
                 ("clump-half", ["temperature=20"], {"fluid_density": "water", "viscosity": "water"}),
                 ("clump-half", ["temperature=20", "viscosity=1e-3"], {"fluid_density": "water"}),
                 ("clump-half", ["temperature=20", "viscosity=water"], {"fluid_density": "water"}),
-                ("clump-half", ["clumps=100", "tube_height=0.2", "fill_height=0.1"], {}),
+                ("clump-half", ["clumps=100", "tube_height=0.2", "fill_height=0.1", "layers=12"], {}),
                 ("rp-04a", ["solids=7", "temperature=20"], {}),
                 ("rp-04a", ["clumps=100"], {}),
                 ("sphere-half", ["solids=7"], {})):

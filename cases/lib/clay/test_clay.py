@@ -1,8 +1,11 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """clay: its commands, JSON and silence, cases of one's own, completion."""
 
+import ast
+import glob
 import json
 import os
+import re
 import subprocess
 
 import pytest
@@ -44,6 +47,22 @@ def test_every_program_of_cases_is_a_command():
     there = {n for n in os.listdir(os.path.join(TOP, "cases"))
              if os.path.isfile(os.path.join(TOP, "cases", n)) and os.access(os.path.join(TOP, "cases", n), os.X_OK)}
     assert there - {"clay"} == set(clay_main.COMMANDS)
+
+
+def test_programs_are_called_as_they_were_started():
+    """No words of the library name cases/run or a sister: places.called does."""
+    named = re.compile(r"\bcases/(" + "|".join(clay_main.COMMANDS) + r")\b")
+    found = []
+    for path in glob.glob(os.path.join(TOP, "cases", "lib", "*", "*.py")):
+        if os.path.basename(path).startswith("test_"):
+            continue
+        with open(path, encoding="utf-8") as f:
+            tree = ast.parse(f.read())
+        docs = {id(n.body[0].value) for n in ast.walk(tree) if isinstance(n, (
+            ast.Module, ast.FunctionDef, ast.ClassDef)) and n.body and isinstance(n.body[0], ast.Expr)}
+        found += [f"{os.path.basename(path)}: {n.value}" for n in ast.walk(tree) if isinstance(n, ast.Constant)
+                  and isinstance(n.value, str) and id(n) not in docs and named.search(n.value)]
+    assert not found
 
 
 def test_unknown_words_and_none(tmp_path):

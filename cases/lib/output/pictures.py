@@ -15,7 +15,7 @@ DAY = 86400.0
 
 
 def settling(folder, curve, time_scale, title):
-    """The settling curve over seconds simulated and days in the laboratory."""
+    """The settling curve over seconds simulated and, with a time_scale, days in the laboratory."""
     fig, ax = plt.subplots(figsize=(7, 4.6))
     t = curve["time_s"]
     for key, label, style in (("interface_m", "upper interface", "-"),
@@ -27,9 +27,10 @@ def settling(folder, curve, time_scale, title):
     ax.set_ylabel("height [mm]")
     ax.set_xlim(0, t[-1])
     ax.set_ylim(bottom=0)
-    scale = time_scale / DAY
-    days = ax.secondary_xaxis("top", functions=(lambda x: x * scale, lambda x: x / scale))
-    days.set_xlabel(f"time in the laboratory [days], scaled by {time_scale:.3g}")
+    if time_scale:
+        scale = time_scale / DAY
+        days = ax.secondary_xaxis("top", functions=(lambda x: x * scale, lambda x: x / scale))
+        days.set_xlabel(f"time in the laboratory [days], scaled by {time_scale:.3g}")
     ax.grid(alpha=0.3)
     ax.legend()
     ax.set_title(title, fontsize=9, pad=10)
@@ -123,8 +124,8 @@ def pair(left, right, moment, values, top, colours=None, pixels=8000.0):
     return shown
 
 
-def columns(folder, values, title, count=6, torn=False):
-    """The column at six times: clumps, and beside them a cut of the flow."""
+def columns(folder, values, title, time_scale=None, count=6, torn=False):
+    """The column at six times, with a time_scale in days, too: clumps, and beside them a cut of the flow."""
     chosen = moments(folder, values, count, torn)
     top = max(m.top_speed for m in chosen) or 1e-12
 
@@ -136,8 +137,8 @@ def columns(folder, values, title, count=6, torn=False):
                                           "top": 1 - 0.7 / tall})
     for k, moment in enumerate(chosen):
         shown = pair(axes[2 * k], axes[2 * k + 1], moment, values, top)
-        axes[2 * k].set_title(f"{moment.time:.3g} s\n{moment.time * values['time_scale'] / DAY:.3g} d",
-                              fontsize=9, loc="left")
+        days = f"\n{moment.time * time_scale / DAY:.3g} d" if time_scale else ""
+        axes[2 * k].set_title(f"{moment.time:.3g} s{days}", fontsize=9, loc="left")
     bar = fig.colorbar(shown, cax=fig.add_axes([0.95, 0.02, 0.009, 0.9 - 0.7 / tall]))
     bar.set_label("fluid speed in the plane y = 0 [mm/s]")
     fig.suptitle(title, fontsize=9, y=0.995)

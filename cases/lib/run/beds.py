@@ -12,7 +12,7 @@ from cases.lib.case.errors import CaseError
 
 
 def inlet(folder):
-    """Time [s], kinematic pressure [m2/s2], superficial velocity [m/s], as the
+    """Time [s], kinematic pressure [m2/s2], superficial velocity [mm/s], as the
     function object `inlet` wrote them."""
     path = os.path.join(folder, "CFD", "postProcessing", "inlet", "0", "surfaceFieldValue.dat")
     try:
@@ -85,20 +85,21 @@ def _draw(path, v, ramp, found, title):
     from cases.lib.output.plotting import plt
     u, drop, height = ramp
     fig, (ax, low) = plt.subplots(2, 1, figsize=(6.4, 6.4), sharex=True)
+    u = 1e3 * u
     ax.plot(u, drop, lw=1.6, label="clayFoam")
     ax.axhline(found["buoyant_weight_Pa"], color="0.4", ls=":", label="buoyant weight")
     line = np.linspace(0, u.max(), 50)
-    law = ergun(v, found["porosity_at_rest"], found["height_at_rest_m"], line)
+    law = ergun(v, found["porosity_at_rest"], found["height_at_rest_m"], 1e-3 * line)
     keep = law < 1.4 * found["buoyant_weight_Pa"]
     ax.plot(line[keep], law[keep], "k--", lw=1.2, label=f"Ergun, mean porosity {found['porosity_at_rest']:.3f}")
-    if found["u_mf_m_per_s"] and found["u_mf_m_per_s"] < u.max():
+    if found["u_mf_m_per_s"] and 1e3 * found["u_mf_m_per_s"] < u.max():
         for a in (ax, low):
-            a.axvline(found["u_mf_m_per_s"], color="C3", lw=1, label="u_mf" if a is ax else None)
+            a.axvline(1e3 * found["u_mf_m_per_s"], color="C3", lw=1, label="u_mf" if a is ax else None)
     ax.set_ylabel("pressure drop [Pa]")
     ax.legend(fontsize=8)
     low.plot(u, 1e3 * height, lw=1.6)
     low.set_ylabel("bed height [mm]")
-    low.set_xlabel("superficial velocity [m/s]")
+    low.set_xlabel("superficial velocity [mm/s]")
     for a in (ax, low):
         a.grid(alpha=0.3)
     ax.set_title(title, fontsize=8)

@@ -9,7 +9,7 @@ import re
 import shlex
 import shutil
 
-from cases.lib.case import files, places
+from cases.lib.case import files, heading, places
 from cases.lib.case.casefile import TOP
 from cases.lib.case.errors import CaseError
 
@@ -60,7 +60,7 @@ def write_mark(folder, case, ranks):
     files.write_json(os.path.join(folder, MARK), {_FORMAT: 1, "case": case.name, **own, "title": case.title,
                                                   "values": case.values, "ranks": list(ranks)})
     with files.writing(os.path.join(folder, "case.txt")) as f:
-        f.write(f"{case.name}: {case.title}\n\n{case.table()}\n")
+        f.write(f"{case.name}: {heading.of(case, case.derive(*ranks))}\n\n{case.table()}\n")
 
 
 def summary(folder):

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import time
 
-from cases.lib.case import files, openfoam, places, program
+from cases.lib.case import files, heading, openfoam, places, program
 from cases.lib.case.errors import CaseError
 from cases.lib.case.places import called
 from cases.lib.run import series, state
@@ -68,17 +68,18 @@ def summary(case, run, derived, alone_s, lacking=""):
     """What both halves measured, in one place; lacking: why the run is not complete. What a half
     has not told is None."""
     dem, cfd = state.halves(run.folder)
+    idle = case.idle()  # solids is not said of a run with clumps = 60
     s = {
         "case": case.name,
-        "title": case.title,
+        "title": heading.of(case, derived),
         "complete": not lacking,
         "simulated_s": state.reached(run.folder),
         "end": case.values["end"],
         **({"reason": lacking} if lacking else {}),
         "versions": {"clayFoam": places.version(), "dem": dem.get("program"),
                      "cfd": f"{cfd['program']} on OpenFOAM {cfd.get('openfoam', '')}".strip() if cfd else None},
-        "settings": {**case.values, **derived, "dem": dem.get("settings", {}),
-                     "cfd": cfd.get("settings", {})},
+        "settings": {**{k: x for k, x in case.values.items() if k not in idle}, **derived,
+                     "dem": dem.get("settings", {}), "cfd": cfd.get("settings", {})},
         "seed": case.values["seed"],
         "particles": dem.get("particles"),
         "particles_lost": dem.get("particles_lost"),
@@ -165,7 +166,7 @@ def finish(case, run, derived, alone=False, pictures=True, lacking=""):
 def _draw(case, run, derived, pictures, torn):
     """Series and pictures, of a torn run those that can be made; lines for the table."""
     v = case.values
-    scale = v.get("time_scale", 1.0)
+    title, scale = heading.of(case, derived), v.get("time_scale", 1.0)
     settled = os.path.isfile(os.path.join(run.folder, "settling.csv"))
     rows = curve(run.folder, scale) if settled else []
     if run.cfd > 1:
@@ -185,9 +186,9 @@ def _draw(case, run, derived, pictures, torn):
     arrays = {k: np.array([float(r[k]) for r in rows]) for k in rows[0]}
     if "tube_radius" in v:
         from cases.lib.output import pictures as draw
-        draw.settling(run.folder, arrays, scale, case.title)
-        draw.columns(run.folder, v, case.title, torn=torn)
+        draw.settling(run.folder, arrays, heading.days(case), title)
+        draw.columns(run.folder, v, title, heading.days(case), torn=torn)
     if v.get("velocity_to", 0) > v.get("velocity_from", 0) and v["bottom"] == "inlet":
         from cases.lib.run import beds
-        return "".join(f"\n  {a:<14}{b}" for a, b in beds.finish(run.folder, {**v, **derived}, arrays, case.title))
+        return "".join(f"\n  {a:<14}{b}" for a, b in beds.finish(run.folder, {**v, **derived}, arrays, title))
     return ""

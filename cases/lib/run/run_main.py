@@ -81,7 +81,7 @@ def main():
     with lock:
         prepare.fill(folder, case, derived)
         for warning in screening.of_scripts({**case.values, **derived}, prepare.scripts(folder)):
-            print(f"cases/run: {warning}", flush=True)
+            print(f"{called('run')}: {warning}", flush=True)
         run = launch.Run(folder, derived["dem_ranks"], derived["cfd_ranks"])
         run.write_script()
         if args.dry_run:

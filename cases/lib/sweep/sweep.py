@@ -10,7 +10,7 @@ import os
 import sys
 
 from cases.lib.calibration import stagefit
-from cases.lib.case import program, settings
+from cases.lib.case import heading, program, settings
 from cases.lib.case.casefile import Case, text
 from cases.lib.case.errors import CaseError
 from cases.lib.case.places import called
@@ -154,8 +154,10 @@ def main():
     keys = list(made[0])
     write_csv(os.path.join(out, "sweep.csv"), rows, keys)
     case = Case(args.name)
+    settings.apply(case, {k: v for k, v in made[0].items() if all(m[k] == v for m in made)})
+    title = heading.of_several(case, varied)
     with open(os.path.join(out, "sweep.json"), "w", encoding="utf-8") as f:
-        json.dump({"case": args.name, "title": case.title, "varied": varied, "points": rows}, f, indent=2)
+        json.dump({"case": args.name, "title": title, "varied": varied, "points": rows}, f, indent=2)
         f.write("\n")
     program.result(os.path.join(out, "sweep.json"))
     print(table(rows, shown))
@@ -163,7 +165,7 @@ def main():
     if good and varied:
         from cases.lib.sweep import sweep_picture
         unit = {k: p.get("unit", "") for k, p in case.parameters.items()}
-        sweep_picture.draw(os.path.join(out, "sweep.png"), good, varied, unit, case.title)
+        sweep_picture.draw(os.path.join(out, "sweep.png"), good, varied, unit, title)
     print(f"results in {out}")
     for row in rows:
         if row["error"]:

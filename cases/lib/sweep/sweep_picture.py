@@ -37,7 +37,8 @@ def draw(path, rows, varied, units, title):
     fig = plt.figure(figsize=(10.5, 6.4), layout="constrained")
     left, right = fig.subfigures(1, 2, width_ratios=(1.15, 1))
     curves = left.subplots()
-    panes = right.subplots(4, 1, sharex=True)
+    shown = [k for k in range(3) if any(k < row["stages"]["count"] for row in rows)] + [3]
+    panes = np.atleast_1d(right.subplots(len(shown), 1, sharex=True))
     named = set()
     for row in rows:
         v, s = row["parameters"][key], tuple(row["parameters"][k] for k in others)
@@ -62,7 +63,7 @@ def draw(path, rows, varied, units, title):
 
     step = np.ptp(list(place.values())) or 1.0
     seeds = sorted({str(row["parameters"].get("seed", "")) for row in rows})
-    for k, ax in enumerate(panes):
+    for k, ax in zip(shown, panes):
         for j, s in enumerate(series):
             found = {}
             for row in rows:
@@ -85,10 +86,6 @@ def draw(path, rows, varied, units, title):
             there = [v for v in raw if v in found]
             ax.plot([place[v] for v in there], [np.mean(found[v]) for v in there],
                     _LINES[j % 4], color="0.55", lw=0.9, zorder=0)
-        if not ax.lines:
-            ax.text(0.5, 0.5, f"no run has a stage {k + 1}", transform=ax.transAxes, ha="center", va="center",
-                    fontsize=8, color="0.4")
-            ax.set_yticks([])
         ax.set_ylabel("end [mm]" if k == 3 else f"slope {k + 1}\n[mm/s]", fontsize=9)
         ax.tick_params(labelsize=8)
         ax.grid(alpha=0.3)

@@ -210,8 +210,6 @@ def _message(count, linear, slopes):
     words = f"{count} segment" + ("s" if count > 1 else "")
     words += (", all near-linear" if np.all(linear) else
               f", {np.count_nonzero(linear)} of them near-linear")
-    if np.count_nonzero(linear) < 3:
-        words += "; fewer than three stages"
     if not np.all(linear):
         words += ("; the curve bends throughout segment "
                   + ", ".join(str(k + 1) for k in np.flatnonzero(~linear)))

@@ -41,14 +41,11 @@ class StagesTest(unittest.TestCase):
         np.testing.assert_allclose(fit.heights, [0.15, 0.09, 0.04, 0.035],
                                    atol=2e-4)
         np.testing.assert_allclose(fit.height(TIME), THREE, atol=1e-3)
-        self.assertNotIn("fewer", fit.message)
         fit = detect(TIME, TWO)
         self.check(fit, [10], [-0.01, -0.02 / 54], 5e-3)
         self.assertFalse(fit.three)
-        self.assertIn("fewer than three", fit.message)
         fit = detect(TIME, ONE)
         self.check(fit, [], [-0.002], 1e-6)
-        self.assertIn("fewer than three", fit.message)
         four = np.interp(TIME, [0, 5, 20, 40, 64],
                          [0.15, 0.1, 0.06, 0.04, 0.038])
         self.check(detect(TIME, four), [5, 20, 40],
@@ -86,7 +83,6 @@ class StagesTest(unittest.TestCase):
             curve = 0.05 + 0.1 * np.exp(-TIME / 15) + white(noise)
             fit = detect(TIME, curve, samples=20)
             self.assertFalse(fit.three)
-            self.assertIn("fewer than three", fit.message)
             self.assertIn("bends throughout", fit.message)
 
     def test_line_then_exponential_tail(self):

@@ -160,17 +160,25 @@ std::string FixRestBed::why_not() const
 
 void FixRestBed::count_left_out()
 {
-  const bigint passed = skipped_ - left_out_;  // since the look before
+  const double windows = uncounted();
   left_out_ = skipped_;
-  watch_.only(passed ? double(passed) / window_ : 0.);
+  watch_.only(windows);
+  if (windows == 0.) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (tracks_[i].known != 0.) tracks_[i].charge(watch_.weights(), windows);
 }
+
+/* ----------------------------------------------------------------------
+   windows left out since the look before
+------------------------------------------------------------------------- */
+
+double FixRestBed::uncounted() const { return skipped_ > left_out_ ? double(skipped_ - left_out_) / window_ : 0.; }
 
 /* ---------------------------------------------------------------------- */
 
 void FixRestBed::begin_anew()
 {
   count_left_out();
-  close_rest();
   watch_.restart(limits_);
   looked_ = false;
   begun_ = update->ntimestep;
@@ -234,15 +242,14 @@ bigint FixRestBed::look()
   sight.height = sight.mean + mosts[1];
   const bool whole = mosts[2] == 0. && sums[1] > 0.;
 
-  if (!whole || sight.farthest > limits_.move) close_rest();
-  else {
-    const int computed = watch_.computed() + 1;
+  if (whole && sight.farthest <= limits_.move) {
+    const clay::RestWeights weights = watch_.weights_with_next();
     double allowed = 1e300;
     for (int i = 0; i < n; i++) {
       clay::RestTrack &t = tracks_[i];
       if (!watch_.resting()) t.begin();
-      t.see(atom->x[i], computed);
-      allowed = std::min(allowed, t.allowed(computed, limits_.behind * atom->radius[i]));
+      t.see(atom->x[i]);
+      allowed = std::min(allowed, t.allowed(weights, limits_.behind * atom->radius[i]));
     }
     MPI_Allreduce(&allowed, &sight.allowed, 1, MPI_DOUBLE, MPI_MIN, world);
   }
@@ -256,17 +263,6 @@ bigint FixRestBed::look()
   return windows * window_;
 }
 
-/* ----------------------------------------------------------------------
-   what each particle missed in the rest that is over
-------------------------------------------------------------------------- */
-
-void FixRestBed::close_rest()
-{
-  if (!watch_.resting()) return;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (tracks_[i].known != 0.) tracks_[i].charge(watch_.computed(), watch_.left_out());
-}
-
 /* ---------------------------------------------------------------------- */
 
 void FixRestBed::woken()
@@ -278,7 +274,6 @@ void FixRestBed::woken()
 void FixRestBed::recomputed()
 {
   count_left_out();
-  close_rest();
   watch_.wake();
   next_ = next_window();
 }
@@ -329,7 +324,9 @@ int FixRestBed::unpack_exchange(int nlocal, double *buf)
 void FixRestBed::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const double state[3] = {double(skipped_), double(wakings_), watch_.missed_way()};
+  clay::RestWatch now = watch_;
+  now.only(uncounted());
+  const double state[3] = {double(skipped_), double(wakings_), now.missed_way()};
   const int size = sizeof state;
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(state, sizeof(double), 3, fp);
@@ -351,9 +348,9 @@ int FixRestBed::maxsize_restart() { return 4; }
 int FixRestBed::pack_restart(int i, double *buf)
 {
   buf[0] = 4.;
-  double way[3];
-  tracks_[i].missed_with(watch_.computed(), watch_.left_out(), way);
-  std::copy(way, way + 3, buf + 1);
+  clay::RestTrack now = tracks_[i];
+  if (now.known != 0.) now.charge(watch_.weights(), uncounted());
+  std::copy(now.missed, now.missed + 3, buf + 1);
   return 4;
 }
 

@@ -67,8 +67,8 @@ class FixRestBed : public Fix {
   void parse(int narg, char **arg);
   std::string why_not() const;
   void count_left_out();
+  double uncounted() const;
   bigint next_window() const;
-  void close_rest();
   bool find_gravity();
 
   double seconds_, fluid_;

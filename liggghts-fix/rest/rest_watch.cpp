@@ -12,6 +12,18 @@ double length(const double a[3]) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + 
 
 }  // namespace
 
+void RestWeights::begin() { *this = RestWeights(); }
+
+void RestWeights::next()
+{
+  // each is older by one and counts less; the new one has no age
+  waa_ = KEPT * (waa_ + 2 * wa_ + w_);
+  wa_ = KEPT * (wa_ + w_);
+  w_ = KEPT * w_ + 1;
+}
+
+/* ---------------------------------------------------------------------- */
+
 void RestTrack::create() { *this = RestTrack(); }
 
 double RestTrack::moved2(const double *x) const
@@ -25,80 +37,93 @@ void RestTrack::begin()
 {
   for (int k = 0; k < 3; k++) {
     begun[k] = last[k];
-    y[k] = ty[k] = 0;
+    y[k] = ay[k] = 0;
   }
   yy = 0;
 }
 
-void RestTrack::see(const double *x, int n)
+void RestTrack::see(const double *x)
 {
+  const double kept = RestWeights::KEPT;
+  yy *= kept;
   for (int k = 0; k < 3; k++) {
     const double way = x[k] - begun[k];
-    y[k] += way;
-    ty[k] += n * way;
+    ay[k] = kept * (ay[k] + y[k]);
+    y[k] = kept * y[k] + way;
     yy += way * way;
   }
 }
 
-void RestTrack::drift(int n, double way[3]) const
+void RestTrack::drift(const RestWeights &weights, double way[3]) const
 {
-  // n + 1 places, of which the first is the beginning
-  const double m = n + 1, t = 0.5 * n * m, stt = t * (2 * n + 1) / 3 - t * t / m;
+  const double m = weights.places(), saa = weights.spread();
   double explained = 0, scatter = yy;
   for (int k = 0; k < 3; k++) {
-    way[k] = stt > 0 ? (ty[k] - t * y[k] / m) / stt : 0;
-    explained += way[k] * way[k] * stt;
+    way[k] = saa > 0 ? (weights.age() * y[k] - ay[k]) / saa : 0;
+    explained += way[k] * way[k] * saa;
     scatter -= y[k] * y[k] / m;
   }
-  if (n < 2) return;
-  const double error = std::sqrt(std::max(0., scatter - explained) / ((m - 2) * stt)), size = length(way);
+  if (m < 2.5) return;  // two places tell of no scatter
+  const double error = std::sqrt(std::max(0., scatter - explained) / ((m - 2) * saa)), size = length(way);
   const double part = size > 2 * error ? 1 - 2 * error / size : 0;
   for (int k = 0; k < 3; k++) way[k] *= part;
 }
 
-double RestTrack::allowed(int n, double most) const
+double RestTrack::allowed(const RestWeights &weights, double most) const
 {
   double way[3];
-  drift(n, way);
-  const double speed = length(way), left = std::max(0., most - length(missed));
-  // a rest may spend a part of what is left, so that there is something left for the next one
-  return speed > 1e-5 * most ? 0.25 * left / speed : 1e300;
+  drift(weights, way);
+  const double speed = length(way);
+  if (speed <= 1e-5 * most) return 1e300;
+  // until missed + n way has the length `most`; that is farther off where it leads back
+  double along = 0, beyond = -most * most;
+  for (int k = 0; k < 3; k++) {
+    along += missed[k] * way[k] / speed;
+    beyond += missed[k] * missed[k];
+  }
+  const double left = std::max(0., -along + std::sqrt(std::max(0., along * along - beyond)));
+  // a part of it may be spent at once, so that there is something left for later
+  return 0.25 * left / speed;
 }
 
-void RestTrack::charge(int n, double left_out)
+void RestTrack::charge(const RestWeights &weights, double left_out)
 {
-  double all[3];
-  missed_with(n, left_out, all);
-  std::copy(all, all + 3, missed);
-}
-
-void RestTrack::missed_with(int n, double left_out, double all[3]) const
-{
-  std::copy(missed, missed + 3, all);
-  if (n < 1 || left_out <= 0) return;
   double way[3];
-  drift(n, way);
-  for (int k = 0; k < 3; k++) all[k] += left_out * way[k];
+  drift(weights, way);
+  for (int k = 0; k < 3; k++) missed[k] += left_out * way[k];
 }
 
 /* ---------------------------------------------------------------------- */
 
-// of this rest
-double RestWatch::here() const { return computed_ > 0 ? (mean_ - first_) / computed_ * left_out_ : 0; }
-
 double RestWatch::missed() const { return std::fabs(missed_way()); }
 
-double RestWatch::missed_way() const { return missed_ + here(); }
+double RestWatch::missed_way() const
+{
+  RestTrack now = mean_;
+  now.charge(weights_, out_);
+  return now.missed[0];
+}
+
+RestWeights RestWatch::weights_with_next() const
+{
+  RestWeights weights = resting() ? weights_ : RestWeights();
+  weights.next();
+  return weights;
+}
+
+void RestWatch::charge()
+{
+  mean_.charge(weights_, out_);
+  out_ = 0;
+}
 
 void RestWatch::wake()
 {
-  left_out_ += out_;
-  out_ = 0;
-  missed_ += here();
+  charge();
   quiet_ = 0;
   row_ = 1;
-  computed_ = 0;
-  left_out_ = 0;
+  weights_.begin();
+  mean_.begin();
 }
 
 void RestWatch::restart(const RestLimits &limits)
@@ -109,33 +134,27 @@ void RestWatch::restart(const RestLimits &limits)
 
 int RestWatch::windows(const RestSight &sight, bool whole)
 {
-  if (!whole) {  // other particles, maybe: their mean height tells nothing of the rest before
-    wake();
-    mean_ = sight.mean;
-    return 0;
-  }
-  const bool probe = out_ > 0, still = sight.farthest <= limits_.move;
-  if (quiet_ == 0) first_ = mean_;
-  mean_ = sight.mean;
-  computed_++;
-  left_out_ += out_;
-  out_ = 0;
+  const bool probe = out_ > 0, still = whole && sight.farthest <= limits_.move;
+  const int row = row_;
+  charge();
   if (!still) {
-    const int row = row_;
     wake();
-    row_ = std::max(1, row / 4);
+    // other particles, maybe: nothing is known of them
+    if (whole) row_ = std::max(1, row / 4);
+    mean_.last[0] = sight.mean;
     return 0;
   }
+  if (!resting()) mean_.begin();
+  weights_ = weights_with_next();
+  const double at[] = {sight.mean, 0, 0};
+  mean_.see(at);
+  mean_.last[0] = sight.mean;
   if (++quiet_ < limits_.quiet) return 0;
   if (probe) row_ = std::min(2 * row_, limits_.longest);
 
-  const double drift = std::fabs(mean_ - first_) / computed_, left = limits_.error * sight.height - missed();
-  int n = row_;
-  if (n * drift > left) n = left > 0 ? static_cast<int>(left / drift) : 0;
-  const double may = sight.allowed - left_out_;
-  if (n > may) n = may > 0 ? static_cast<int>(may) : 0;
-  out_ = n;
-  return n;
+  out_ =
+      static_cast<int>(std::min({double(row_), sight.allowed, mean_.allowed(weights_, limits_.error * sight.height)}));
+  return out_;
 }
 
 }  // namespace clay

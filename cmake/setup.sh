@@ -3,17 +3,18 @@
 #
 # Makes the project ready to run: installs the Debian packages that are missing
 # and builds both halves and their tests when a source is newer than the build;
-# with --programs what a run needs and no more. Silent when nothing is to be
+# with --programs what a run needs and no more; with --reports what its page, too. Silent when nothing is to be
 # done, else it shows how far it is. On a terminal it asks before it installs
 # with sudo, unless --yes is given. A sourced OpenFOAM environment is used as it is.
 #
-# Usage: cmake/setup.sh [--programs] [--yes] [JOBS]
+# Usage: cmake/setup.sh [--programs] [--reports] [--yes] [JOBS]
 set -euo pipefail
 
-what=tests ask=yes
+what=tests ask=yes reports=
 while :; do
     case ${1:-} in
         --programs) what=programs ;;
+        --reports) reports=python3-jinja2 ;;
         --yes) ask=no ;;
         *) break ;;
     esac
@@ -32,10 +33,13 @@ fi
 inputs=("$top/CMakeLists.txt" "$top/CMakePresets.json" "$top/cmake"
         "$top/exchange" "$top/liggghts-fix" "$top/foam-coupling")
 
+there() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2> /dev/null)" = installed ]; }
+
 # the stamp says which OpenFOAM the build is for, and whether it has the tests
 made=$(cat "$stamp" 2> /dev/null || true)
 if { [ "$made" = "$flavour tests" ] || [ "$made" = "$flavour $what" ]; } &&
    [ -x "$top/build/bin/liggghts-clay" ] && [ -x "$top/build/bin/clayFoam" ] &&
+   { [ -z "$reports" ] || there "$reports"; } &&
    [ -z "$(find "${inputs[@]}" -newer "$stamp" ! -name '*.md' -print -quit)" ]; then
     exit 0
 fi
@@ -91,6 +95,7 @@ packages=(cmake g++ make liggghts libliggghts-dev openmpi-bin libopenmpi-dev
 [ "$what" = programs ] ||
     packages+=(libgtest-dev libbenchmark-dev valgrind python3-pytest python3-jinja2
         clang-format clang-tidy shellcheck python3-flake8)
+[ -z "$reports" ] || packages+=("$reports")
 # the headers of the package come from its source, a compressed tar file
 [ "$flavour" != packaged ] || packages+=(openfoam libopenfoam bzip2 xz-utils)
 
@@ -98,7 +103,7 @@ command -v dpkg-query > /dev/null ||
     fail "this is no Debian system; install by hand: ${packages[*]}"
 missing=()
 for p in "${packages[@]}"; do
-    [ "$(dpkg-query -W -f='${db:Status-Status}' "$p" 2> /dev/null)" = installed ] || missing+=("$p")
+    there "$p" || missing+=("$p")
 done
 
 if [ "${#missing[@]}" != 0 ]; then

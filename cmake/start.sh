@@ -11,6 +11,7 @@ module=$1
 shift
 what=()  # of the set-up: tests, too, for the programs of validation/
 case $module in cases.*) what=(--programs) ;; esac
+case "$module ${*:1}" in cases.lib.page.* | "cases.lib.clay."*" report "*) what+=(--reports) ;; esac
 setup=1
 if [ "${1:-}" = --no-setup ]; then
     shift

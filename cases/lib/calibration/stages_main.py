@@ -136,7 +136,7 @@ def as_json(path, fit, stages, names):
 
 def draw(path, t, z, fit, names, title):
     """The curve, the line fitted to it, its breaks with their intervals."""
-    from cases.lib.output.plotting import plt
+    from cases.lib.output.plotting import plt, titled
     height, knots, slopes = unit(names[1]), fit.heights, fit.slopes
     if height == "m":  # pictures have millimetres
         height, z, knots, slopes = "mm", 1e3 * z, 1e3 * knots, 1e3 * slopes
@@ -164,7 +164,7 @@ def draw(path, t, z, fit, names, title):
     ax.set_ylim(bottom=min(0.0, float(np.min(z))))
     ax.grid(alpha=0.3)
     ax.legend(fontsize=8)
-    ax.set_title(title, fontsize=9)
+    titled(ax, title)
     fig.tight_layout()
     fig.savefig(path, dpi=170)
     plt.close(fig)

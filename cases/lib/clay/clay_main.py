@@ -9,7 +9,7 @@ from cases.lib.case.errors import CaseError, nearest
 
 COMMANDS = {
     "run": ("cases.lib.run.run_main", "run a case, or go on with a run"),
-    "report": ("cases.lib.run.report_main", "pictures, series and summary of a run, finished or not"),
+    "report": ("cases.lib.page.report_main", "pictures, series and summary of a run, finished or not"),
     "pack": ("cases.lib.packing.pack_main", "the packing of a case by itself"),
     "stages": ("cases.lib.calibration.stages_main", "the near-linear stages of a settling curve"),
     "calibrate": ("cases.lib.calibration.calibrate", "charge and time scale that fit a measured curve"),

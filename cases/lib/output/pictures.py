@@ -1,6 +1,7 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """The pictures of a run: settling.png and columns.png."""
 
+import math
 import os
 from dataclasses import dataclass
 
@@ -9,7 +10,7 @@ import numpy as np
 from cases.lib.case import files, openfoam
 from cases.lib.case.errors import CaseError
 from cases.lib.output import spheres
-from cases.lib.output.plotting import plt
+from cases.lib.output.plotting import mpl, plt, titled, wrapped
 
 DAY = 86400.0
 
@@ -20,7 +21,7 @@ def settling(folder, curve, time_scale, title):
     t = curve["time_s"]
     for key, label, style in (("interface_m", "upper interface", "-"),
                               ("mean_height_m", "mean height", "--"),
-                              ("bed_m", "top of the bed", ":")):
+                              ("bed_m", "top of the bed (solid fraction of 0.2)", ":")):
         if key in curve:
             ax.plot(t, 1e3 * curve[key], style, label=label, lw=1.6)
     ax.set_xlabel("time simulated [s]")
@@ -33,7 +34,7 @@ def settling(folder, curve, time_scale, title):
         days.set_xlabel(f"time in the laboratory [days], scaled by {time_scale:.3g}")
     ax.grid(alpha=0.3)
     ax.legend()
-    ax.set_title(title, fontsize=9, pad=10)
+    titled(ax, title, pad=10)
     fig.tight_layout()
     with files.fresh(os.path.join(folder, "settling.png")) as part:
         fig.savefig(part, dpi=150)
@@ -124,6 +125,21 @@ def pair(left, right, moment, values, top, colours=None, pixels=8000.0):
     return shown
 
 
+def _scales(left, right, height, top):
+    """Millimetres beside the first pane, the length of an arrow of half the speed `top` [m/s] above the last."""
+    left.axis("on")
+    left.spines[["top", "right", "bottom"]].set_visible(False)
+    left.spines["left"].set_bounds(0, height)
+    left.set_xticks([])
+    left.yaxis.set_major_locator(mpl.ticker.MultipleLocator(0.1 * 10**math.floor(math.log10(2 * height))))
+    left.yaxis.set_major_formatter(lambda z, _: f"{1e3 * z:.4g}")
+    left.set_ylabel("height [mm]")
+    arrows = next(c for c in right.collections if isinstance(c, mpl.quiver.Quiver))
+    speed = float(f"{0.5 * top:.1g}")
+    right.quiverkey(arrows, 0.5, 1.03, speed, f"{1e3 * speed:.3g} mm/s", color="black", labelpos="N",
+                    fontproperties={"size": 7})
+
+
 def columns(folder, values, title, time_scale=None, count=6, torn=False):
     """The column at six times, with a time_scale in days, too: clumps, and beside them a cut of the flow."""
     chosen = moments(folder, values, count, torn)
@@ -139,9 +155,10 @@ def columns(folder, values, title, time_scale=None, count=6, torn=False):
         shown = pair(axes[2 * k], axes[2 * k + 1], moment, values, top)
         days = f"\n{moment.time * time_scale / DAY:.3g} d" if time_scale else ""
         axes[2 * k].set_title(f"{moment.time:.3g} s{days}", fontsize=9, loc="left")
+    _scales(axes[0], axes[-1], values["tube_height"], top)
     bar = fig.colorbar(shown, cax=fig.add_axes([0.95, 0.02, 0.009, 0.9 - 0.7 / tall]))
     bar.set_label("fluid speed in the plane y = 0 [mm/s]")
-    fig.suptitle(title, fontsize=9, y=0.995)
+    fig.suptitle(wrapped(title, fig.get_size_inches()[0]), fontsize=9, y=0.995)
     with files.fresh(os.path.join(folder, "columns.png")) as part:
         fig.savefig(part, dpi=170, bbox_inches="tight")
     plt.close(fig)

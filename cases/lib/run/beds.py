@@ -82,7 +82,7 @@ def finish(folder, v, curve, title):
 
 
 def _draw(path, v, ramp, found, title):
-    from cases.lib.output.plotting import plt
+    from cases.lib.output.plotting import plt, titled
     u, drop, height = ramp
     fig, (ax, low) = plt.subplots(2, 1, figsize=(6.4, 6.4), sharex=True)
     u = 1e3 * u
@@ -102,7 +102,7 @@ def _draw(path, v, ramp, found, title):
     low.set_xlabel("superficial velocity [mm/s]")
     for a in (ax, low):
         a.grid(alpha=0.3)
-    ax.set_title(title, fontsize=8)
+    titled(ax, title, 8)
     fig.tight_layout()
     fig.savefig(path, dpi=150)
     plt.close(fig)

@@ -10,14 +10,14 @@ import shlex
 import shutil
 
 from cases.lib.case import files, heading, places
-from cases.lib.case.casefile import TOP
+from cases.lib.case.casefile import Case, TOP
 from cases.lib.case.errors import CaseError
 
 MARK = "case.json"
 _FORMAT = "clayFoam run"
 LOCK = ".lock"
 # what a run leaves behind; removed when its folder is used again
-_REMAINS = ("DEM", "CFD", "alone", "dem.json", "summary.json", "settling.csv", "stages.json", "*.png",
+_REMAINS = ("DEM", "CFD", "alone", "dem.json", "summary.json", "report.html", "settling.csv", "stages.json", "*.png",
             "pressure_drop.csv", "bed.json",
             "*.liggghts", "packing.*", "packmol", "log.liggghts", "run.sh", "DEM.pvd",
             "checkpoints", "restart_forced_liggghts_*.data")  # LIGGGHTS's, when it is interrupted
@@ -52,6 +52,19 @@ def read_mark(folder):
 def of(mark):
     """The case a mark names, as Case takes it."""
     return mark.get("from", mark["case"])
+
+
+def case_of(folder):
+    """The case a folder was made for, with its values and its ranks."""
+    mark = read_mark(folder)
+    if mark is None:
+        raise CaseError(f"{folder}: is no run's folder; it lacks {MARK}")
+    case = Case(of(mark))
+    lacking = sorted(set(case.values) - set(mark["values"]))
+    if lacking:
+        raise CaseError(f"{folder}: was made by another version of this project; it says nothing of {lacking[0]}")
+    case.values = {key: mark["values"][key] for key in case.values}
+    return case, mark["ranks"]
 
 
 def write_mark(folder, case, ranks):

@@ -94,10 +94,10 @@ def go_on(args):
     """Goes on with a run from its last saved state; gives the exit code."""
     if args.set or args.overwrite or args.dry_run:
         raise CaseError("--continue goes on with the run as it is: only --end, --dem, --cfd go with it")
-    from cases.lib.run import folders, going_on, launch, report_main
+    from cases.lib.run import folders, going_on, launch
     folder, lock = folders.claim_again(casefile.Case(args.name), args.out)
     with lock:
-        case, ranks = report_main.case_of(folder)
+        case, ranks = folders.case_of(folder)
         if args.end is not None:
             settings.apply(case, settings.read([f"end={args.end}"]), print)
         derived = case.derive(args.dem or ranks[0], args.cfd or ranks[1])

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from cases.lib.output.plotting import plt
+from cases.lib.output.plotting import plt, wrapped
 from cases.lib.run import runs
 
 _LINES = ("-", "--", ":", "-.")
@@ -97,6 +97,6 @@ def draw(path, rows, varied, units, title):
     if not numeric:
         panes[-1].set_xticks(list(place.values()), list(place))
     curves.grid(alpha=0.3)
-    fig.suptitle(title, fontsize=9)
+    fig.suptitle(wrapped(title, 10.5), fontsize=9)
     fig.savefig(path, dpi=150)
     plt.close(fig)

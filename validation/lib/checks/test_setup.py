@@ -75,6 +75,16 @@ def test_a_run_needs_programs_alone(project):
                 "clang-tidy", "shellcheck", "python3-flake8"} & set(packages)
 
 
+def test_a_page_needs_its_template_engine(project):
+    assert "python3-jinja2" in project.setup("--programs", "--reports")[1]
+    assert project.setup("--programs", "--reports") == [[], ["python3-jinja2"]]  # it is looked for, nothing is built
+    assert project.setup("--programs") == [[], []]
+    project.env["MISSING"] = "python3-jinja2"
+    (project.notes / "apt").write_text("")
+    project.setup("--programs", "--reports")
+    assert "install python3-jinja2" in (project.notes / "apt").read_text()
+
+
 def test_checks_need_the_tests(project):
     (configure, build), packages = project.setup()
     assert "-DCLAYFOAM_TESTS=ON" in configure and "--target" not in build

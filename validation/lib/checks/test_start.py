@@ -41,6 +41,9 @@ def test_all_launchers_are_known():
 
 @pytest.mark.parametrize("words, setup", [
     (["cases.one", "NAME"], "set-up --programs"), (["validation.two", "NAME"], "set-up"),
+    (["cases.lib.page.three", "DIR"], "set-up --programs --reports"),
+    (["cases.lib.clay.four", "--quiet", "report", "DIR"], "set-up --programs --reports"),
+    (["cases.lib.clay.four", "run", "NAME"], "set-up --programs"),
     (["cases.one", "--no-setup", "NAME"], None), (["cases.one", "--list"], None),
     (["cases.one", "NAME", "--keys"], None), (["validation.two", "--help"], None), (["cases.one", "NAME", "-h"], None),
     (["cases.one", "--yes", "NAME"], "set-up --programs --yes"), (["validation.two", "NAME", "--yes"], "set-up --yes"),
@@ -48,8 +51,10 @@ def test_all_launchers_are_known():
 def test_what_is_set_up(words, setup, tmp_path):
     for name, text in {"cmake/setup.sh": '#!/bin/sh\necho set-up "$@"\n',
                        "cases/one.py": "import sys\nprint(sys.argv[1:])\n",
+                       "cases/lib/page/three.py": "import sys\nprint(sys.argv[1:])\n",
+                       "cases/lib/clay/four.py": "import sys\nprint(sys.argv[1:])\n",
                        "validation/two.py": "import sys\nprint(sys.argv[1:])\n"}.items():
-        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
         (tmp_path / name).write_text(text)
         (tmp_path / name).chmod(0o755)
     for name in ("cmake/start.sh", "__main__.py"):

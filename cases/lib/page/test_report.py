@@ -11,7 +11,8 @@ import pytest
 from cases.lib.case.casefile import Case
 from cases.lib.case.errors import CaseError
 from cases.lib.output import pictures, spheres
-from cases.lib.run import folders, launch, report, report_main, state
+from cases.lib.page import report_main
+from cases.lib.run import folders, launch, report, state
 
 DEM = {"program": "LIGGGHTS", "particles": 2, "particles_lost": 0, "clumps": 0, "simulated_s": 0.5, "dem_s": 1.0,
        "exchange_s": 0.1, "waiting_s": 0.1, "output_s": 0.1, "dem_steps": 25000, "exchanges": 500,

@@ -40,6 +40,14 @@ def test_days_only_with_a_time_scale(drawn, tmp_path, scale):
     assert max(line.get_ydata().max() for line in fig.axes[0].lines) == pytest.approx(150)
 
 
+def test_long_titles_are_broken(drawn, tmp_path):
+    pictures.settling(str(tmp_path), CURVE, None, "a clump-half with very many settings that are otherwise = 1, " * 4)
+    fig = drawn[0]
+    fig.canvas.draw()
+    box = fig.axes[0].title.get_window_extent()
+    assert 0 < box.x0 and box.x1 < fig.bbox.x1 and box.y1 < fig.bbox.y1
+
+
 def test_stages_in_millimetres(drawn, tmp_path):
     args = stages_main.parser().parse_args(["x", "--samples", "20"])
     t, z = CURVE["time_s"], CURVE["interface_m"]

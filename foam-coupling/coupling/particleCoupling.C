@@ -99,6 +99,7 @@ Foam::particleCoupling::particleCoupling
     mapping_(voidFractionModel::New(properties_, mesh_)),
     kept_(properties_.keepMapping()),
     smoothing_(smoothingModel::New(properties_, mesh_)),
+    kernelDiameter_(0),
     ddtType_(properties_.ddt(mapping_->smooth() && !smoothing_->active())),
     sumShared_(sharedSum()),
     forces_
@@ -156,6 +157,7 @@ Foam::particleCoupling::particleCoupling
         zeroGradientFvPatchScalarField::typeName
     ),
     gravity_(Zero),
+    turnover_(mesh_),
     waves_(mesh_),
     lastImpulse_(Zero),
     solidVolume_(0),

@@ -163,25 +163,25 @@ bool Foam::particleCoupling::next()
         }
 
         // all ranks alike: the DEM half tells all the same
-        if (session_->pair().number > 0)
+        const bool saves = session_->pair().number > 0;
+        if (saves)
         {
-            savePair();
+            // what a restart finds for itself
+            kept_.forget();
         }
         {
             stopwatch watch(stats_.mapping, &stats_.mappingCpu);
             take();
             map();
-            exchangeMomentum();
         }
-        // all ranks alike: any() is that of all of them
-        if (session_->pair().number > 0 && turnover_.any())
+        // all ranks alike: as above
+        if (saves)
         {
-            stats_.warn
-            (
-                "particles came or went in an interval at whose end a state"
-                " was saved: a run that goes on from it takes their volume for"
-                " one that moved"
-            );
+            savePair();
+        }
+        {
+            stopwatch watch(stats_.mapping, &stats_.mappingCpu);
+            exchangeMomentum();
         }
         ++stats_.exchanges;
         pending_ = true;

@@ -5,6 +5,7 @@
 #include "particleCoupling.H"
 
 #include "exchange/saved_pair.h"
+#include "exchange/world.h"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -23,6 +24,13 @@ void Foam::particleCoupling::resume()
     saved.readEntry("lastImpulse", lastImpulse_);
     saved.readEntry("momentumResidual", stats_.momentumResidual);
     response_.resume(saved.get<bool>("answerForeseen"));
+    // those that are there now may be others than those it was found for
+    saved.readIfPresent("kernelDiameter", kernelDiameter_);
+    // all ranks alike: the number that each has read
+    if (kernelDiameter_ > 0 && smoothing_->fits())
+    {
+        smoothing_->fit(kernelDiameter_);
+    }
 }
 
 
@@ -83,7 +91,18 @@ void Foam::particleCoupling::savePair()
             why = error.what();
         }
     }
-    if (!why.empty())
+    bool good = why.empty();
+    Pstream::scatter(good);
+    // all ranks alike: the master's word
+    if (good)
+    {
+        clay::setLastWords
+        (
+            "; the last saved state is that of step "
+          + std::to_string(label(pair.step))
+        );
+    }
+    else if (Pstream::master())
     {
         stats_.warn("no state was saved: " + why);
     }
@@ -91,6 +110,18 @@ void Foam::particleCoupling::savePair()
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::particleCoupling::askStop(const label signal)
+{
+    const label any = returnReduce(signal, maxOp<label>());
+    // all ranks alike: the largest of all
+    if (any)
+    {
+        session_->askStop(any);
+    }
+}
+
+
 
 void Foam::particleCoupling::save(stateWriter& to)
 {
@@ -102,9 +133,7 @@ void Foam::particleCoupling::save(stateWriter& to)
     numbers.set("lastImpulse", lastImpulse_);
     numbers.set("momentumResidual", stats_.momentumResidual);
     numbers.set("answerForeseen", response_.active());
-
-    // what a restart finds for itself
-    kept_.forget();
+    numbers.set("kernelDiameter", kernelDiameter_);
 }
 
 

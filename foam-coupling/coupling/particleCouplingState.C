@@ -109,7 +109,8 @@ void Foam::particleCoupling::fitKernel()
     if (volume > 0)
     {
         const scalar bodies = session_->remoteTerms().bodyDiameter;
-        smoothing_->fit(bodies > 0 ? bodies : diameters/volume);
+        kernelDiameter_ = bodies > 0 ? bodies : diameters/volume;
+        smoothing_->fit(kernelDiameter_);
 
         const scalar longest =
             gSum(smoothingModel::length(mesh_)*mesh_.V())/gSum(mesh_.V());

@@ -40,6 +40,28 @@ static scalar scattered(const label tag)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::vector Foam::particleTurnover::signature(const dispersedParticles& p)
+{
+    vector sum(Zero);
+    forAll(p.owned, i)
+    {
+        if (p.owned[i])
+        {
+            sum += vector(1, p.tag[i], scattered(p.tag[i]));
+        }
+    }
+    return returnReduce(sum, sumOp<vector>());
+}
+
+
+bool Foam::particleTurnover::same(const vector& signature) const
+{
+    return
+        signature.x() == signature_.x() && signature.y() == signature_.y()
+     && mag(signature.z() - signature_.z()) <= 1e-6;
+}
+
+
 Foam::Map<Foam::label> Foam::particleTurnover::changes
 (
     const dispersedParticles& p
@@ -162,8 +184,35 @@ Foam::particleTurnover::particleTurnover()
 :
     signature_(Zero),
     first_(true),
+    saved_(false),
     told_(0)
 {}
+
+
+Foam::particleTurnover::particleTurnover(const fvMesh& mesh)
+:
+    particleTurnover()
+{
+    const dictionary saved(savedNumbers(mesh));
+    // all ranks alike: savedNumbers() is collective, as what it holds is
+    if (!saved.readIfPresent("particleSignature", signature_))
+    {
+        return;
+    }
+    saved_ = true;
+    if (saved.get<bool>("particlesCameOrWent"))
+    {
+        came_.setSize(mesh.nCells());
+        gone_.setSize(mesh.nCells());
+        readCells(mesh, "particlesCame", came_);
+        readCells(mesh, "particlesGone", gone_);
+    }
+    if (saved.get<bool>("particlesEverWent"))
+    {
+        lastGone_.setSize(mesh.nCells());
+        readCells(mesh, "particlesLastGone", lastGone_);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -174,24 +223,15 @@ void Foam::particleTurnover::compare
     const label nCells
 )
 {
-    vector signature(Zero);
-    forAll(p.owned, i)
-    {
-        if (p.owned[i])
-        {
-            signature += vector(1, p.tag[i], scattered(p.tag[i]));
-        }
-    }
-    reduce(signature, sumOp<vector>());
-    const bool changed =
-        !first_
-     && (
-            signature.x() != signature_.x() || signature.y() != signature_.y()
-         || mag(signature.z() - signature_.z()) > 1e-6
-        );
+    const vector now(signature(p));
+    const bool changed = !first_ && !same(now);
 
-    came_.clear();
-    gone_.clear();
+    // at the first exchange what a saved state holds is that of its particles
+    if (!first_ || !saved_ || !same(now))
+    {
+        came_.clear();
+        gone_.clear();
+    }
     // all ranks alike: signatures are sums over them
     if (changed)
     {
@@ -233,6 +273,25 @@ void Foam::particleTurnover::compare
     offset_ = p.offset;
     cellIndex_ = p.cellIndex;
     weight_ = p.weight;
-    signature_ = signature;
+    signature_ = now;
     first_ = false;
+}
+
+
+void Foam::particleTurnover::save(stateWriter& to)
+{
+    dictionary& numbers = to.numbers();
+    numbers.set("particleSignature", signature_);
+    numbers.set("particlesCameOrWent", any());
+    numbers.set("particlesEverWent", lastGone_.size() > 0);
+    // all ranks alike: so are both lists' being there
+    if (any())
+    {
+        to.cells("particlesCame", came_);
+        to.cells("particlesGone", gone_);
+    }
+    if (lastGone_.size())
+    {
+        to.cells("particlesLastGone", lastGone_);
+    }
 }

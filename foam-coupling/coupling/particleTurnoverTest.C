@@ -5,6 +5,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "particleTurnover.H"
+#include "testMesh.H"
 
 #include <gtest/gtest.h>
 
@@ -120,4 +121,63 @@ TEST(particleTurnover, noneComesTwice)
     one.see({{1, 2, 0}}).see({});
     one.found.rest();
     EXPECT_FALSE(one.found.any());
+}
+
+
+// a run that goes on from a saved state has no list from before
+TEST(particleTurnover, aSavedStateHoldsWhatCameAndWent)
+{
+    const std::vector<ball> before{{1, 2, 0}, {2, 6, 3}, {3, 2, 0}};
+    const std::vector<ball> now{{1, 2, 1}, {3, 2, 0}, {7, 4, 4}};
+    const std::vector<ball> later{{1, 2, 1}, {7, 4, 3}};
+    const test::meshCase box(test::block({nCells, 1, 1}, Zero, {6, 1, 1}));
+    const fvMesh& mesh = box.mesh();
+
+    turnover one;
+    one.see(before).see(now);
+    {
+        stateWriter to(mesh, mesh.time().timePath());
+        one.found.save(to);
+        to.finish();
+    }
+    one.see(later);
+
+    dispersedParticles p;
+    particleTurnover again(mesh);
+    put(p, now);
+    again.compare(p, nCells);
+    EXPECT_EQ(again.came(), scalarField({0, 0, 0, 0, 2, 2}));
+    EXPECT_EQ(again.gone(), scalarField({0, 0, 0, 3, 3, 0}));
+    EXPECT_EQ(again.lastGone(), again.gone());
+    put(p, later);
+    again.compare(p, nCells);
+    EXPECT_EQ(again.came(), one.found.came());
+    EXPECT_EQ(again.gone(), one.found.gone());
+
+    // other particles than those of the state: nothing is known of them
+    particleTurnover others(mesh);
+    put(p, before);
+    others.compare(p, nCells);
+    EXPECT_FALSE(others.any());
+    EXPECT_EQ(others.lastGone(), scalarField({0, 0, 0, 3, 3, 0}));
+}
+
+
+TEST(particleTurnover, aSavedStateInWhichNoneCameOrWent)
+{
+    const test::meshCase box(test::block({nCells, 1, 1}, Zero, {6, 1, 1}));
+    const fvMesh& mesh = box.mesh();
+    turnover one;
+    one.see({{1, 2, 0}}).see({{1, 2, 1}});
+    {
+        stateWriter to(mesh, mesh.time().timePath());
+        one.found.save(to);
+        to.finish();
+    }
+    dispersedParticles p;
+    put(p, {{1, 2, 1}});
+    particleTurnover again(mesh);
+    again.compare(p, nCells);
+    EXPECT_FALSE(again.any());
+    EXPECT_TRUE(again.lastGone().empty());
 }

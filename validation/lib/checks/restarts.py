@@ -20,6 +20,10 @@ FEATURES = {
     "resistance drag": ("clump-half", 10, ("clumps=4", "clump_drag=resistance")),
     "inlet ramp": ("fluidised-bed", 20, ("settle=0.02", "hold=0.001", "ramp=0.004")),
     "diffusion smoothing": ("restart-scene", 20, ("smoothing=diffusion",)),
+    # one comes in each interval, those of before are taken out
+    "fed column": ("fed-column", 100, ("bottom=cyclic", "top=cyclic", "gravity=0", "size_z=0.024", "cells_z=6",
+                                       "feed_from=0.007", "feed_to=0.016", "feed_speed=0.2", "feed_rate=500",
+                                       "viscosity=1e-3", "coupling_steps=20")),
     "turbulence": ("restart-turbulence", 20, ()),
     "bed at rest": ("restart-scene", 400, ("extra=rest", "layers=1", "speed=0")),
 }

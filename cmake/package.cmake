@@ -31,7 +31,7 @@ them, OpenFOAM\n solves the flow around them, side by side in one mpirun. `clay 
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME clayfoam-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "clayfoam (= ${PROJECT_VERSION}), libeigen3-dev, libliggghts-dev, \
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "clayfoam (= ${PROJECT_VERSION}), libeigen3-dev, zlib1g-dev, libliggghts-dev, \
 libopenmpi-dev, librandom123-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers, libraries and CMake files of clayFoam, to build programs of one's \
 own on them.")

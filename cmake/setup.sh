@@ -90,7 +90,7 @@ building() {
 }
 
 packages=(cmake g++ make liggghts libliggghts-dev openmpi-bin libopenmpi-dev
-    libeigen3-dev nlohmann-json3-dev librandom123-dev packmol
+    libeigen3-dev zlib1g-dev nlohmann-json3-dev librandom123-dev packmol
     python3 python3-numpy python3-matplotlib python3-scipy python3-meshio)
 [ "$what" = programs ] ||
     packages+=(libgtest-dev libbenchmark-dev valgrind python3-pytest python3-jinja2

@@ -55,6 +55,7 @@ struct CfdSession::Impl {
   bool late = false, last = false, open = false, closeReceived = false;
   SavedPair pair;
   std::array<double, 3> impulse{};
+  std::array<double, wire::stopDoubles> stop{};  // sent once, when it is not all zeros
   Timing timing;
 
   void settle() {
@@ -303,6 +304,18 @@ void CfdSession::answer(const Particles& answers, const std::vector<char>& owned
 void CfdSession::report(double momentumResidual, bool late) {
   impl_->reported = momentumResidual;
   impl_->late = late;
+}
+
+void CfdSession::askStop(int signal) {
+  auto& s = *impl_;
+  const auto& world = World::instance();
+  if (s.stop[0] > 0 || world.rank() > 0) return;
+  s.stop = wire::stopMessage(signal, s.timing.exchanges);
+  MPI_Request request;
+  PMPI_Isend(s.stop.data(), wire::stopDoubles, MPI_DOUBLE, world.remoteRanks()[0], wire::tagStop,
+             world.whole(), &request);
+  // so short that it is on its way at once; nobody waits for it to be taken
+  PMPI_Request_free(&request);
 }
 
 void CfdSession::close() {

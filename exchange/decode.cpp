@@ -197,6 +197,20 @@ void endAnswer(std::vector<double>& message, double reported, bool late, long ex
   end[3] = seal(message.data(), message.size() - 1);
 }
 
+std::array<double, stopDoubles> stopMessage(int signal, long exchanges) {
+  std::array<double, stopDoubles> message{double(signal), static_cast<double>(exchanges), 0};
+  message.back() = seal(message.data(), message.size() - 1);
+  return message;
+}
+
+int readStop(const double* message, std::ptrdiff_t doubles, long exchanges) {
+  if (doubles != stopDoubles)
+    throw Damaged("it holds " + text(doubles) + " doubles of " + std::to_string(stopDoubles));
+  if (!(message[2] == seal(message, 2))) notAsSent("it");
+  whole(message[1], 0, static_cast<double>(exchanges), "its number of exchanges");
+  return static_cast<int>(whole(message[0], 1, 64, "its signal"));
+}
+
 void checkShared(const double* message, std::ptrdiff_t doubles, std::size_t n) {
   if (doubles < 0 || static_cast<std::size_t>(doubles) != n + 1)
     throw Damaged("they are " + text(doubles) + " doubles; it must be " + std::to_string(n + 1));

@@ -4,6 +4,7 @@
 /// and number of a message. Knows nothing of MPI; internal to exchange/.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -69,6 +70,13 @@ AnswerParts readAnswer(const double* message, std::ptrdiff_t doubles, std::size_
 
 /// Closes an answer's message, whose last answerEnd doubles are free.
 void endAnswer(std::vector<double>& message, double reported, bool late, long exchange);
+
+/// A message that asks for the run's end, because of that signal.
+std::array<double, stopDoubles> stopMessage(int signal, long exchanges);
+
+/// The signal of such a message.
+/// \throws Damaged  when it is none, or of more exchanges than there were
+int readStop(const double* message, std::ptrdiff_t doubles, long exchanges);
 
 /// Values of particles that ranks share, with their seal behind them.
 /// \throws Damaged  when these are not n values and their seal

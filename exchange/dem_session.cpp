@@ -58,7 +58,7 @@ struct DemSession::Impl {
   std::vector<long> answeredIn;  // exchange in which a particle was answered
   const Particles* sent = nullptr;
   double lastTime = 0, sentAt = 0, reported = 0;
-  int away = 0;
+  int away = 0, asked = 0;
   bool late = false;
   bool open = false, awaiting = false, arrived = false, runOver = false;
   Timing timing;
@@ -224,6 +224,27 @@ DemSession::~DemSession() {
 }
 
 double DemSession::reported() const { return impl_->reported; }
+int DemSession::asked() {
+  auto& s = *impl_;
+  const auto& world = World::instance();
+  if (s.asked || world.rank() > 0) return s.asked;
+  MPI_Message message;
+  MPI_Status status;
+  int there = 0, bytes = 0, doubles = 0;
+  PMPI_Improbe(world.remoteRanks()[0], wire::tagStop, world.whole(), &there, &message, &status);
+  if (!there) return 0;
+  PMPI_Get_count(&status, MPI_BYTE, &bytes);
+  PMPI_Get_count(&status, MPI_DOUBLE, &doubles);
+  std::vector<double> words(static_cast<std::size_t>(bytes) / sizeof(double) + 1);
+  PMPI_Mrecv(words.data(), bytes, MPI_BYTE, &message, MPI_STATUS_IGNORE);
+  try {
+    s.asked = wire::readStop(words.data(), doubles, s.timing.exchanges);
+  } catch (const wire::Damaged& damage) {
+    abandon(std::string("the CFD half asks for the end: ") + damage.what());
+  }
+  return s.asked;
+}
+
 int DemSession::away() const { return impl_->away; }
 bool DemSession::late() const { return impl_->late; }
 const CfdTerms& DemSession::remoteTerms() const { return impl_->terms.cfd; }

@@ -95,6 +95,12 @@ void verdict(std::string text, bool sealed) {
   wire::decodeVerdict(text);
 }
 
+void stop(std::vector<double> words, bool sealed) {
+  if (sealed && !words.empty()) words.back() = wire::seal(words.data(), words.size() - 1);
+  const int signal = wire::readStop(words.data(), static_cast<std::ptrdiff_t>(words.size()), 100);
+  must(signal > 0 && signal <= 64);
+}
+
 void terms(const std::string& text) {
   const auto cut = text.find('\n');
   const auto dem = clay::decodeDem(text.substr(0, cut));
@@ -119,6 +125,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (kind == 2) boxes(bytes, sealed);
     if (kind == 3) verdict(bytes, sealed);
     if (kind == 4) terms(bytes);
+    if (kind == 6) stop(std::move(words), sealed);
     if (kind == 5 && !words.empty())
       wire::checkShared(words.data(), static_cast<std::ptrdiff_t>(words.size()), words.size() - 1);
   } catch (const wire::Damaged&) {

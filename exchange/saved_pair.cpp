@@ -1,8 +1,9 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #include "exchange/saved_pair.h"
 
+#include <zlib.h>
+
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -31,15 +32,16 @@ std::string firstLine(const SavedPair& pair) {
 std::string line(const fs::path& file, const fs::path& folder) {
   std::ifstream in(file, std::ios::binary);
   std::vector<char> part(1 << 20);
-  std::uint32_t sum = 0;
+  uLong sum = 0;
   std::uintmax_t size = 0;
   while (in.read(part.data(), static_cast<std::streamsize>(part.size())), in.gcount() > 0) {
-    sum = crc32(part.data(), static_cast<std::size_t>(in.gcount()), sum);
+    sum = crc32_z(sum, reinterpret_cast<const Bytef*>(part.data()),
+                  static_cast<z_size_t>(in.gcount()));
     size += static_cast<std::uintmax_t>(in.gcount());
   }
   if (!in.eof()) throw std::runtime_error("cannot read " + file.string());
   char s[48];
-  std::snprintf(s, sizeof s, "%08x %ju ", sum, size);
+  std::snprintf(s, sizeof s, "%08lx %ju ", sum, size);
   return s + file.lexically_relative(folder).string();
 }
 
@@ -71,8 +73,10 @@ std::string unfinishedPair(const std::string& folder, const SavedPair& pair) {
 double newPairNumber() {
   std::random_device random;
   const std::uint64_t high = random(), low = random();
-  return static_cast<double>(((high << 32 | low) >> 11) | 1);
+  return pairNumber(high << 32 | low);
 }
+
+double pairNumber(std::uint64_t random) { return static_cast<double>(random >> 11 | 1); }
 
 void makeEmpty(const std::string& folder) {
   try {
@@ -129,22 +133,6 @@ void completePair(const std::string& folder, const SavedPair& pair, int kept) {
 void dropPair(const std::string& folder, const SavedPair& pair) {
   std::error_code error;
   fs::remove_all(unfinishedPair(folder, pair), error);
-}
-
-std::uint32_t crc32(const void* data, std::size_t size, std::uint32_t before) {
-  static const auto table = [] {
-    std::array<std::uint32_t, 256> t{};
-    for (std::uint32_t n = 0; n < 256; ++n) {
-      std::uint32_t c = n;
-      for (int k = 0; k < 8; ++k) c = c & 1 ? 0xedb88320u ^ (c >> 1) : c >> 1;
-      t[n] = c;
-    }
-    return t;
-  }();
-  std::uint32_t c = ~before;
-  const auto* byte = static_cast<const unsigned char*>(data);
-  for (std::size_t n = 0; n < size; ++n) c = table[(c ^ byte[n]) & 0xff] ^ (c >> 8);
-  return ~c;
 }
 
 }  // namespace clay

@@ -7,7 +7,8 @@
 ///     FOLDER/000012500/dem/   state, sums
 ///                      cfd/   the fields, sums; processor0/ ... on several ranks
 ///
-/// A file `sums` names the pair, and size and checksum of each file beside it.
+/// A file `sums` names the pair, and size and checksum (zlib's crc32) of each file
+/// beside it.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +25,9 @@ std::string unfinishedPair(const std::string& folder, const SavedPair& pair);
 /// A number for a new pair, whole, above 0 and below 2^53.
 double newPairNumber();
 
+/// The same of 64 random bits.
+double pairNumber(std::uint64_t random);
+
 /// Makes an empty folder, and those it stands in; throws std::runtime_error with one line.
 void makeEmpty(const std::string& folder);
 
@@ -39,8 +43,5 @@ void completePair(const std::string& folder, const SavedPair& pair, int kept = 2
 
 /// Removes what was written of a pair; throws nothing.
 void dropPair(const std::string& folder, const SavedPair& pair);
-
-/// Checksum as zlib's crc32 has it, of more bytes.
-std::uint32_t crc32(const void* data, std::size_t size, std::uint32_t before = 0);
 
 }  // namespace clay

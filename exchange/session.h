@@ -74,6 +74,10 @@ class DemSession {
   /// rank; 0 before the first.
   double reported() const;
 
+  /// The signal because of which the CFD half asks for the run's end, 0 for none;
+  /// known to the first rank (local). It may come at any time.
+  int asked();
+
   /// Number of particles sent from this rank that the last answer found beyond an open side of
   /// the mesh: their answers are zeros.
   int away() const;
@@ -137,6 +141,10 @@ class CfdSession {
   /// For the DEM half, goes with every answer from now on: the largest relative
   /// residual of momentum, and whether answers come after the fluid was solved.
   void report(double momentumResidual, bool late);
+
+  /// Asks the DEM half to end the run in order at its next exchange, as if it had been
+  /// sent that signal itself. The first rank's word counts, and the first one.
+  void askStop(int signal);
 
   void close();
 

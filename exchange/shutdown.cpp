@@ -30,7 +30,7 @@ struct State {
   bool watching = false, mayFinalize = false;
   std::atomic<bool> ending{false};
   std::function<void(const std::string&)> save;
-  std::string explained;
+  std::string explained, lastWords;
 };
 
 State& state() {
@@ -192,15 +192,21 @@ bool firstRankSpeaks() {
   return speaks != 0;
 }
 
+// Once: what ends the run may have said them itself
+std::string withLastWords(const std::string& reason) {
+  const std::string& words = state().lastWords;
+  return reason.find(words) == std::string::npos ? reason + words : reason;
+}
+
 std::string explained() {
   return state().explained.empty() ? "" : ": " + oneLine(state().explained);
 }
 
 std::string tooEarly() {
-  return programName() +
-         (state().stage == Stage::uncoupled ? " ended without ever coupling"
-                                            : " ended before the coupled run did") +
-         explained();
+  return withLastWords(programName() +
+                       (state().stage == Stage::uncoupled ? " ended without ever coupling"
+                                                          : " ended before the coupled run did") +
+                       explained());
 }
 
 void atExit() {
@@ -264,6 +270,8 @@ void checkShutdown() {
 
 void explainEnd(const std::string& reason) { state().explained = reason; }
 
+void setLastWords(const std::string& words) { state().lastWords = words; }
+
 void beforeFinalize() {
   auto& s = state();
   if (s.ending) endAll(1);
@@ -283,15 +291,16 @@ void beforeFinalize() {
 
 void abortBoth(int code) {
   if (!state().ending.exchange(true))
-    tellAndWait(programName() + " called MPI_Abort with code " + std::to_string(code) +
-                explained());
+    tellAndWait(withLastWords(programName() + " called MPI_Abort with code " +
+                              std::to_string(code) + explained()));
   endAll(code);
 }
 
 void abandon(const std::string& reason) {
   if (!state().ending.exchange(true) && !firstRankSpeaks()) {
-    say(reason);
-    tellAndWait(reason);
+    const std::string all = withLastWords(reason);
+    say(all);
+    tellAndWait(all);
   }
   endAll(1);
 }

@@ -14,7 +14,7 @@
 namespace clay {
 
 /// Both halves must speak the same version of the wire.
-constexpr int wireVersion = 10;
+constexpr int wireVersion = 11;
 static_assert(fieldCount == 22, "another list of fields is another version of the wire");
 
 /// Raised, on every rank of both halves, when the halves do not fit.

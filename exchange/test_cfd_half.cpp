@@ -111,6 +111,8 @@ int main(int argc, char** argv) {
         case clay::CfdSession::Event::state:
           if (k == 3) halves::dieAs(scenario, "cfd");
           if (k == 3 && rank == 0) halves::dieAs(scenario, "cfd0");
+          if (k == 2 && scenario == "asked") session.askStop(SIGTERM);
+          if (k == 3 && scenario == "asked") session.askStop(SIGINT);
           step(session, particles, k++, scenario == "lost" || scenario == "leaves");
           break;
         case clay::CfdSession::Event::resumed:

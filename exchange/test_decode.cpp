@@ -278,6 +278,32 @@ TEST(DamagedMessages, OfAnswers) {
   expectRefused([&] { clay::wire::readAnswer(m.data(), INT_MIN, 3, width, 7); }, "half a double");
 }
 
+TEST(DamagedMessages, OfTheWordThatAsksForTheEnd) {
+  const auto good = clay::wire::stopMessage(15, 7);
+  EXPECT_EQ(clay::wire::readStop(good.data(), good.size(), 7), 15);
+  EXPECT_EQ(clay::wire::readStop(clay::wire::stopMessage(1, 0).data(), 3, 7), 1);
+  EXPECT_EQ(clay::wire::readStop(clay::wire::stopMessage(64, 0).data(), 3, 7), 64);
+  const auto refused = [](std::array<double, 3> m, std::ptrdiff_t n = 3) {
+    try {
+      clay::wire::readStop(m.data(), n, 7);
+      return std::string();
+    } catch (const clay::wire::Damaged& damage) {
+      return std::string(damage.what());
+    }
+  };
+  EXPECT_EQ(refused(good, 2), "it holds 2 doubles of 3");
+  EXPECT_EQ(refused(good, 4), "it holds 4 doubles of 3");
+  for (std::size_t k = 0; k < 3; ++k) {
+    auto m = good;
+    m[k] += 1;
+    EXPECT_EQ(refused(m), "it did not come in as it was sent") << k;
+  }
+  EXPECT_NE(refused(clay::wire::stopMessage(0, 0)).find("its signal is 0"), std::string::npos);
+  EXPECT_NE(refused(clay::wire::stopMessage(65, 0)).find("its signal is 65"), std::string::npos);
+  EXPECT_NE(refused(clay::wire::stopMessage(15, 8)).find("its number of exchanges is 8"),
+            std::string::npos);
+}
+
 TEST(DamagedMessages, OfSharedValues) {
   std::vector<double> m{1, 2, 3};
   m.push_back(clay::wire::seal(m.data(), 3));

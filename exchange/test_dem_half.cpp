@@ -60,6 +60,9 @@ void run(clay::DemSession& session, const std::string& scenario, int first) {
   for (int k = first; k < first + halves::exchanges; ++k) {
     if (k == 3) halves::dieAs(scenario, "dem");
     if (k == 3 && rank == 0) halves::dieAs(scenario, "dem0");
+    if (session.asked())
+      clay::abandon("asked to end by signal " + std::to_string(session.asked()) + " on rank " +
+                    std::to_string(rank));
     fill(particles, rank, k);
     const bool out = (scenario == "lost" || scenario == "leaves") && k == 3 && rank == 0;
     if (out) particles[Field::position][3 * 17] = 1.5;

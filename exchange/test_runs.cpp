@@ -112,6 +112,13 @@ TEST(Refused, ASessionOfTheOtherHalf) {
             "a session of the DEM half in a program of the CFD half");
 }
 
+// the first word counts, and comes to the first rank
+TEST(Ends, WhenTheCfdHalfAsksForIt) {
+  const Outcome o = run("asked", 2, 2);
+  expectEnd(o, cfdStops + "asked to end by signal 15 on rank 0");
+  EXPECT_FALSE(o.says("on rank 1")) << o.text;
+}
+
 TEST(Ends, WhenTheDemHalfExitsWithoutAnError) {
   expectEnd(run("dem:exit0", 1, 2), cfdStops + "test_dem_half ended before the coupled run did");
 }
@@ -226,6 +233,13 @@ TEST(Ends, ByTheExitCodeAloneWhereMpirunSeesIt) {
 }
 
 // The reason that a program gives goes along
+TEST(Ends, WithTheLastWords) {
+  expectEnd(run("cfd:words", 1, 2),
+            demStops + "test_cfd_half called MPI_Abort with code 7; state 7 is left");
+  const Outcome o = run("dem:ownWords", 1, 1);
+  expectEnd(o, cfdStops + "no more cheese; state 7 is left");
+  EXPECT_FALSE(o.says("is left; state")) << "said once: " << o.text;
+}
 TEST(Ends, WithTheReasonThatWasExplained) {
   expectEnd(run("before:dem:explained", 1, 2),
             cfdStops + "test_dem_half ended without ever coupling: no cheese at all");

@@ -106,9 +106,25 @@ TEST_F(Pairs, WhatWasWrittenOfOneCanBeDropped) {
   EXPECT_FALSE(fs::exists(clay::unfinishedPair(folder, {7, 300})));
 }
 
+// as Python's zlib reads it (cases/lib/run/saved_pairs.py)
 TEST(Checksum, IsThatOfZlib) {
-  EXPECT_EQ(clay::crc32("123456789", 9), 0xcbf43926u);
-  EXPECT_EQ(clay::crc32("6789", 4, clay::crc32("12345", 5)), 0xcbf43926u);
+  const fs::path folder = fs::temp_directory_path() / ("clay_sums_" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  std::ofstream(folder / "digits") << "123456789";
+  clay::writeSums(folder.string(), {7, 20});
+  std::ifstream in(folder / "sums");
+  std::string first, second;
+  std::getline(in, first);
+  std::getline(in, second);
+  fs::remove_all(folder);
+  EXPECT_EQ(first, "pair 7 step 20");
+  EXPECT_EQ(second, "cbf43926 9 digits");
+}
+
+TEST(PairNumber, LiesAboveNoneAndBelowWhatADoubleCountsTo) {
+  EXPECT_EQ(clay::pairNumber(0), 1);
+  EXPECT_EQ(clay::pairNumber(~std::uint64_t{0}), 9007199254740991.);
+  EXPECT_EQ(clay::pairNumber(std::uint64_t{1} << 12), 3);
 }
 
 TEST(PairNumber, IsWholeAndDiffersFromOthers) {

@@ -77,6 +77,7 @@ bool known(int tag, Half here, bool ofThisHalf) {
     case wire::tagBoxes:
       return here == Half::dem || ofThisHalf;
     case wire::tagAnswer:
+    case wire::tagStop:
       return here == Half::dem && !ofThisHalf;
     case wire::tagHeader:
     case wire::tagState:

@@ -18,12 +18,16 @@ enum Tag : int {
   tagShutdown,      ///< this half ends before the coupled run does; why
   tagSpeaks,        ///< the first rank of this half says why it ends, for all
   tagSaved,         ///< this rank has saved its state, before it shuts down
-  tagVerdict        ///< what a half makes of the terms, root to root, then root to its half
+  tagVerdict,       ///< what a half makes of the terms, root to root, then root to its half
+  tagStop           ///< root to root: the CFD half was sent a signal and asks for the end
 };
 
 /// Doubles at the end of an answer: the reported figure, whether it came late, the
 /// number of the exchange, the seal of all before it.
 constexpr int answerEnd = 4;
+
+/// Doubles of a message that asks for the end: the signal, the exchanges there were, the seal.
+constexpr int stopDoubles = 3;
 
 /// What a header announces.
 enum class Kind : int { state = 1, resume = 2, close = 3 };

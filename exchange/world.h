@@ -96,6 +96,10 @@ class World {
 /// half is told when the coupled run is not over.
 void explainEnd(const std::string& reason);
 
+/// What stands behind each reason for which this half ends the run from now on: which
+/// saved state is left, for one.
+void setLastWords(const std::string& words);
+
 /// What the host does on every rank when the other half has ended too early,
 /// before this half ends as well: saving its state, for one. It has 5 s.
 void onShutdown(std::function<void(const std::string& reason)> save);

@@ -20,8 +20,6 @@ Description
 
 #include "exchange/world.h"
 
-#include <string>
-
 // what the wrappers of MPI split the world by
 const clay::Half clay::programHalf = clay::Half::cfd;
 
@@ -65,27 +63,17 @@ static void march(const argList& args)
         written = true;
     };
 
-    // signalled: exchanges since this rank was sent a signal
-    label signalled = 0;
     noteStops();
 
     // all ranks alike: they hear the same
     while (coupling.next())
     {
-        // the first may have been sent before the DEM half heard of it
-        if (notedStop() && ++signalled > 2)
-        {
-            clay::abandon
-            (
-                "ended by signal " + std::to_string(notedStop())
-              + " to the CFD half"
-            );
-        }
         if (due)
         {
             write();
         }
         due = fluid.march(coupling);
+        coupling.askStop(notedStop());
         coupling.solved();
         written = false;
     }

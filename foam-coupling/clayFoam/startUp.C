@@ -89,6 +89,11 @@ void Foam::noteStops()
     {
         std::signal(signal, noteStop);
     }
+    // but nohup means what it says
+    if (std::signal(SIGHUP, noteStop) == SIG_IGN)
+    {
+        std::signal(SIGHUP, SIG_IGN);
+    }
 }
 
 

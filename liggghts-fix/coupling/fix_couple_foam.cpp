@@ -389,14 +389,15 @@ void FixCoupleFoam::end_of_step()
 }
 
 /* ----------------------------------------------------------------------
-   the signal that one of the ranks was sent, the same on all; 0: none
+   the signal that one of the ranks was sent, the same on all; below 0 one
+   that the CFD half was sent; 0: none
 ------------------------------------------------------------------------- */
 
 int FixCoupleFoam::agreed_stop() const
 {
-  int mine = clay::noted_stop(), any = mine;
-  if (comm->nprocs > 1) MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  return any;
+  int mine[2] = {clay::noted_stop(), session_->asked()}, any[2] = {mine[0], mine[1]};
+  if (comm->nprocs > 1) MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, world);
+  return any[0] ? any[0] : -any[1];
 }
 
 /* ----------------------------------------------------------------------
@@ -407,9 +408,10 @@ int FixCoupleFoam::agreed_stop() const
 void FixCoupleFoam::stop(int signal)
 {
   if (pending_) take_answer();
+  if (saver_) tell_saved();  // where no particles were answered it may have come late
   report_->finish(*session_, settings_.interval, watch_ ? watch_->wall_overlap() : 0.);
   const double left = (update->laststep - update->ntimestep) * update->dt, now = update->get_cur_time();
-  clay::abandon(clay::stop_reason(signal, now, now + left) + (saver_ ? saver_->last_words() : ""));
+  clay::abandon(clay::stop_reason(signal, now, now + left));
 }
 
 /* ---------------------------------------------------------------------- */

@@ -86,6 +86,9 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   void ends_saving();
   /// Puts them, or those of a saved state, in place of the forces of a set-up.
   void take_held_forces();
+  /// Goes on with the random numbers of insertion where a saved state was; after a run's first set-up, in which
+  /// LIGGGHTS's fixes begin theirs anew.
+  void go_on_inserting();
 
   double memory_usage();
   void grow_arrays(int);
@@ -116,6 +119,7 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   void make_more();
   void make_kept();
   void save();
+  void tell_saved();
   bool is_sound() const;
   void tell_motions();
   void check_finite();
@@ -172,10 +176,11 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
   clay::Particles sent_, answer_;
   std::vector<BodySphere> spheres_;    // of the bodies owned here
   double last_time_;                   // of the last exchange [s]
+  std::vector<double> streams_;        // of a saved state, to be gone on with
   double start_pair_;                  // number of the saved pair that this half starts from, 0 for none
   bool save_due_, saving_;             // at this exchange; the set-up is that of a state being saved
   bool holds_;                         // kept_ is to be taken
-  int stop_;                           // signal after which the run ends when the state is saved, 0 for none
+  int stop_;                           // after which the run ends when the state is saved, as agreed_stop() has it
   std::unique_ptr<StateSaver> saver_;  // null when no states are saved
   std::unique_ptr<CouplingReport> report_;
   std::unique_ptr<RunawayWatch> watch_;  // null when it is switched off

@@ -6,7 +6,6 @@
 ------------------------------------------------------------------------- */
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -15,9 +14,12 @@
 #include "comm.h"
 #include "coupling/coupling_report.h"
 #include "coupling/fix_couple_foam.h"
+#include "coupling/insertion_streams.h"
 #include "coupling/runaway_watch.h"
+#include "coupling/sound_state.h"
 #include "coupling/state_saver.h"
 #include "error.h"
+#include "exchange/world.h"
 #include "memory.h"
 #include "update.h"
 
@@ -25,9 +27,9 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-// ahead of what is written here: in older files it is the time, and all there is
-constexpr double MARK = -1e300;
-enum { MARKED, TIME, LAST_TIME, PAIR, GIVEN, EXCHANGES = GIVEN + 3, BEGIN, PULLS, STATE };
+// ahead of what is written here: in older files it is the time, and all there is, or another mark
+constexpr double MARK = -2e300, ANY_MARK = -1e299;
+enum { MARKED, TIME, LAST_TIME, PAIR, GIVEN, EXCHANGES = GIVEN + 3, BEGIN, PULLS, STREAMS, STATE };
 
 // of an atom in a restart file: how much there is, and which rows
 enum { LENGTH, ROWS, HEAD };
@@ -43,6 +45,9 @@ void FixCoupleFoam::write_restart(FILE *fp)
 {
   double given[3];
   MPI_Reduce(given_, given, 3, MPI_DOUBLE, MPI_SUM, 0, world);
+  std::vector<double> lists = mean_pull_.numbers();
+  const size_t pulls = lists.size();
+  const std::vector<double> streams = insertion_streams(lmp);
   if (comm->me) return;
   double state[STATE];
   state[MARKED] = MARK;
@@ -52,12 +57,13 @@ void FixCoupleFoam::write_restart(FILE *fp)
   std::copy(given, given + 3, state + GIVEN);
   state[EXCHANGES] = static_cast<double>(exchanges_);
   state[BEGIN] = report_->start_time();
-  const std::vector<double> pulls = mean_pull_.numbers();
-  state[PULLS] = static_cast<double>(pulls.size());
-  const int size = sizeof state + pulls.size() * sizeof(double);
+  state[PULLS] = static_cast<double>(pulls);
+  state[STREAMS] = static_cast<double>(streams.size());
+  lists.insert(lists.end(), streams.begin(), streams.end());
+  const int size = sizeof state + lists.size() * sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(state, sizeof(double), STATE, fp);
-  fwrite(pulls.data(), sizeof(double), pulls.size(), fp);
+  fwrite(lists.data(), sizeof(double), lists.size(), fp);
 }
 
 void FixCoupleFoam::restart(char *buf)
@@ -66,6 +72,8 @@ void FixCoupleFoam::restart(char *buf)
   std::memcpy(state, buf, sizeof(double));
   update->atimestep = update->ntimestep;
   if (state[MARKED] != MARK) {
+    if (state[MARKED] < ANY_MARK)
+      error->all(FLERR, "Fix couple/foam: the restart file is of another version of clayFoam");
     update->atime = state[MARKED];
     return;
   }
@@ -78,6 +86,8 @@ void FixCoupleFoam::restart(char *buf)
   std::vector<double> pulls(static_cast<size_t>(state[PULLS]));
   std::memcpy(pulls.data(), buf + sizeof state, pulls.size() * sizeof(double));
   mean_pull_.take(pulls);
+  streams_.resize(static_cast<size_t>(state[STREAMS]));
+  std::memcpy(streams_.data(), buf + sizeof state + pulls.size() * sizeof(double), streams_.size() * sizeof(double));
   if (start_pair_ > 0.) report_->goes_on_from(state[BEGIN]);
 }
 
@@ -166,6 +176,14 @@ void FixCoupleFoam::take_held_forces()
 
 /* ---------------------------------------------------------------------- */
 
+void FixCoupleFoam::go_on_inserting()
+{
+  go_on_with_streams(lmp, streams_);
+  streams_.clear();
+}
+
+/* ---------------------------------------------------------------------- */
+
 bigint FixCoupleFoam::next_exchange() const
 {
   const bigint every = settings_.interval;
@@ -200,8 +218,13 @@ void FixCoupleFoam::save()
   else if ((pair = saver_->write()).number == 0.) report_->warn("no state was saved: " + saver_->why());
   send(update->ntimestep == update->laststep, pair);
   take_answer();
-  if (pair.number == 0.) return;
+  if (pair.number > 0.) tell_saved();
+}
+
+void FixCoupleFoam::tell_saved()
+{
   saver_->look_for_it();
+  clay::setLastWords(saver_->last_words());
   if (watch_) watch_->last_words(saver_->last_words());
 }
 
@@ -211,15 +234,7 @@ void FixCoupleFoam::save()
 
 bool FixCoupleFoam::is_sound() const
 {
-  int sound = 1, all;
-  const double most = 2. / update->dt;
-  for (int i = 0; i < atom->nlocal && sound; i++) {
-    const double *v = atom->v[i], *x = atom->x[i], *omega = atom->omega[i];
-    const double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    double sum = x[0] + x[1] + x[2] + omega[0] + omega[1] + omega[2];
-    for (int k = 0; k < KEPT; k++) sum += kept_[i][k];
-    sound = speed <= most * atom->radius[i] && std::isfinite(sum);
-  }
+  int sound = clay::is_sound(spheres(), atom->nlocal, update->dt, kept_, KEPT), all;
   MPI_Allreduce(&sound, &all, 1, MPI_INT, MPI_MIN, world);
   return all;
 }

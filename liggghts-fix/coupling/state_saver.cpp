@@ -80,9 +80,11 @@ clay::SavedPair StateSaver::write()
 
 void StateSaver::look_for_it()
 {
+  // the other half has finished it before it answers, but not every processor has particles
+  MPI_Barrier(world);
   int there = comm->me == 0 && std::filesystem::is_directory(clay::pairFolder(folder_, {0., double(written_)}));
   MPI_Bcast(&there, 1, MPI_INT, 0, world);
-  if (there) saved_ = written_;
+  if (there && written_ >= 0) saved_ = written_;
 }
 
 std::string StateSaver::last_words() const

@@ -48,6 +48,7 @@ std::string stop_reason(int signal, double time, double end)
 {
   char at[80];
   snprintf(at, sizeof at, " at %.6g s of %.6g s", time, end);
+  if (signal < 0) return "ended by " + signal_name(-signal) + " to the CFD half" + at;
   return (signal ? "ended by " + signal_name(signal) : std::string("the run was cut short")) + at;
 }
 

@@ -24,7 +24,7 @@ void forget_stop();
 /// "SIGTERM", or "signal 99".
 std::string signal_name(int signal);
 
-/// Why a run ended too early: the signal, or 0, and how far it was [s].
+/// Why a run ended too early: the signal, below 0 one to the CFD half, or 0, and how far it was [s].
 std::string stop_reason(int signal, double time, double end);
 
 }  // namespace clay

@@ -32,6 +32,7 @@ TEST(StopSignals, theSecondOneEndsTheProcess)
 TEST(StopSignals, theReasonNamesSignalAndTime)
 {
   EXPECT_EQ(stop_reason(SIGTERM, 0.117, 0.5), "ended by SIGTERM at 0.117 s of 0.5 s");
+  EXPECT_EQ(stop_reason(-SIGUSR1, 0.117, 0.5), "ended by SIGUSR1 to the CFD half at 0.117 s of 0.5 s");
   EXPECT_EQ(stop_reason(99, 1, 2), "ended by signal 99 at 1 s of 2 s");
   EXPECT_EQ(stop_reason(0, 1, 2), "the run was cut short at 1 s of 2 s");
 }

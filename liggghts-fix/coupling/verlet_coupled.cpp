@@ -31,7 +31,10 @@ FixCoupleFoam *VerletCoupled::fluid() const
 void VerletCoupled::setup()
 {
   Verlet::setup();
-  if (FixCoupleFoam *f = fluid()) f->take_held_forces();
+  if (FixCoupleFoam *f = fluid()) {
+    f->take_held_forces();
+    f->go_on_inserting();
+  }
 }
 
 /* ----------------------------------------------------------------------

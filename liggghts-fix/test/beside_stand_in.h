@@ -43,6 +43,8 @@ class BesideStandIn {
     return status == 0;
   }
 
+  const std::filesystem::path &path() const { return path_; }
+
   const std::string &log() const { return log_; }
 
   /// What the CFD half was told.

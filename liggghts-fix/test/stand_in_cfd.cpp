@@ -3,8 +3,9 @@
 /// A CFD half for tests of the DEM half, on one rank: a fluid that moves and drags as
 /// it is told, whatever it gets. Arguments are key=value: half (the box's half width
 /// [m]), K [kg/s], u, rate (u grows by rate z along x [1/s]), force [N], rho (of the
-/// buoyancy; 0: none), added [kg], turn [N m s], n, late, g [m/s2], out. A sphere's K is (1 + 0.1 sin(number)) of
-/// the one given, its n that times n. Writes what it was told of each exchange as JSON.
+/// buoyancy; 0: none), added [kg], turn [N m s], n, late, g [m/s2], out, stop (at its 3rd exchange it asks for
+/// the end, by that signal), from (folder of a saved pair that it goes on from) and start [s]. A sphere's K is (1 + 0.1
+/// sin(number)) of the one given, its n that times n. Writes what it was told of each exchange as JSON.
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -14,6 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "exchange/saved_pair.h"
 #include "exchange/session.h"
 
 const clay::Half clay::programHalf = clay::Half::cfd;
@@ -70,6 +72,9 @@ clay::CfdTerms terms(const Settings &s)
   t.box.lo = {-half, -half, -half};
   t.box.hi = {half, half, half};
   t.buoyancy = rho > 0;
+  t.startTime = s.number("start", 0);
+  std::string word;
+  std::ifstream(s.text("from") + "/cfd/sums") >> word >> t.pair;
   t.needs = {Field::position, Field::radius, Field::volume,       Field::velocity,   Field::tag,    Field::body,
              Field::impulse,  Field::mass,   Field::meanVelocity, Field::otherForce, Field::touched};
   t.accepts = {Field::dragDiameter, Field::dragFactor, Field::gravity};
@@ -125,6 +130,16 @@ void fill(const clay::Particles &p, const Settings &s, clay::Particles &answer)
   }
 }
 
+// its part of a pair, of which it needs nothing
+void save(const clay::CfdSession &session)
+{
+  const std::string folder = session.remoteTerms().pairs, part = clay::unfinishedPair(folder, session.pair()) + "/cfd";
+  clay::makeEmpty(part);
+  std::ofstream(part + "/nothing") << "of a fluid that does as it is told\n";
+  clay::writeSums(part, session.pair());
+  clay::completePair(folder, session.pair());
+}
+
 void run(const Settings &s)
 {
   clay::CfdTerms mine = terms(s);
@@ -142,7 +157,9 @@ void run(const Settings &s)
       all["answers"] = session.sends().names();
       continue;
     }
+    if (session.pair().number > 0) save(session);
     all["exchanges"].push_back(told(got, session));
+    if (all["exchanges"].size() == 3 && s.number("stop", 0) > 0) session.askStop(static_cast<int>(s.number("stop", 0)));
     fill(got, s, answer);
     session.report(0, s.number("late", 0) > 0);
     session.answer(answer, std::vector<char>(got.size(), 1));

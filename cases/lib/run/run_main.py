@@ -110,9 +110,22 @@ def go_on(args):
         return go(case, run, derived, lock, args)
 
 
+def _further(folder, case, derived):
+    """From where and how a run that was ended would go on, empty where it cannot."""
+    from cases.lib.run import folders, going_on
+    more = folders.offer(folder, case)
+    if not more:
+        return ""
+    try:
+        last = going_on.chosen(folder, derived["steps"], case.values["end"], lambda _: None)
+    except CaseError as e:
+        return f"; {e}"
+    return f"; it would go on from the state of {last.time:.6g} s by {more}"
+
+
 def go(case, run, derived, lock, args):
     """Runs a prepared case, says how it ended, and reports it; gives the exit code."""
-    from cases.lib.run import folders, state
+    from cases.lib.run import state
     end = case.values["end"]
     program.result(os.path.join(run.folder, "summary.json"))
     state.write(run.folder, case.name, end, state.UNDER_WAY)
@@ -129,8 +142,7 @@ def go(case, run, derived, lock, args):
     if code:
         with stops.passed_over():
             s = state.write(run.folder, case.name, end, reason, run.wall)
-            more = folders.offer(run.folder, case)
-            further = f"; it would go on by {more}" if more else ""
+            further = _further(run.folder, case, derived)
             print(f"{called('run')}: stopped after {run.wall:.1f} s at {s['simulated_s']:.4g} s of {end:.4g} s; "
                   f"logs in {run.folder}/DEM/log and CFD/log; "
                   f"{called('report')} draws what there is{further}\n{reason}",

@@ -1,8 +1,9 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-"""cases/run's lists."""
+"""cases/run's lists, and how it says that a run which was ended would go on."""
 
 from cases.lib.case import casefile
-from cases.lib.run import run_main
+from cases.lib.run import folders, run_main, state
+from cases.lib.run.test_saved_pairs import pair
 
 
 def test_a_broken_case_hides_no_other(tmp_path, monkeypatch):
@@ -15,3 +16,19 @@ def test_a_broken_case_hides_no_other(tmp_path, monkeypatch):
     lines = list(run_main.listed())
     assert len(lines) == 1
     assert lines[0].startswith("bad             cannot be read: ")
+
+
+def test_where_a_run_would_go_on(tmp_path):
+    case = casefile.Case("clump-half")
+    case.values.update(end=3.0)
+    folder = str(tmp_path)
+    folders.write_mark(folder, case, (1, 1))
+    state.write(folder, case.name, 3.0, "the fluid is NaN")
+    derived = {"steps": 3000}
+    assert run_main._further(folder, case, derived) == ""
+    pair(tmp_path, 1000)
+    (pair(tmp_path, 2000) / "cfd" / "U").unlink()
+    said = run_main._further(folder, case, derived)
+    assert said == f"; it would go on from the state of 1 s by cases/run clump-half --out {folder} --continue"
+    (tmp_path / "checkpoints" / "000001000" / "dem" / "sums").unlink()
+    assert "holds no complete saved state" in run_main._further(folder, case, derived)

@@ -17,13 +17,15 @@ WORDS = ("--end", "0.5", "--set", "seed=977", "--set", "spheres=40", "--set", "c
 STEPS = 25000
 INTERVAL = 1e-3  # [s] of the coupling
 TRIALS = (("DEM half", "KILL"), ("CFD half", "KILL"), ("mpirun", "KILL"), ("cases/run", "KILL"), ("DEM half", "SEGV"),
-          ("CFD half", "SEGV"), ("DEM half", "TERM"), ("DEM half", "INT"), ("DEM half", "USR1"), ("cases/run", "TERM"),
-          ("cases/run", "INT"), ("cases/run", "USR1"), ("mpirun", "USR1"))
-# to these the DEM half saves its state at the next exchange
-SAVES = {("DEM half", "TERM"), ("DEM half", "INT"), ("DEM half", "USR1"), ("cases/run", "TERM"), ("cases/run", "INT"),
-         ("cases/run", "USR1"), ("mpirun", "USR1")}
+          ("CFD half", "SEGV"), ("mpirun", "SEGV"), ("cases/run", "SEGV"), ("CFD half", "TERM"), ("CFD half", "INT"),
+          ("CFD half", "USR1"), ("CFD half", "HUP"), ("DEM half", "TERM"), ("DEM half", "INT"), ("DEM half", "USR1"),
+          ("cases/run", "TERM"), ("cases/run", "INT"), ("cases/run", "USR1"), ("mpirun", "USR1"))
+# to these both halves save their states at the next exchange, or at the one after
+SAVES = {("CFD half", "TERM"), ("CFD half", "INT"), ("CFD half", "USR1"), ("CFD half", "HUP"), ("DEM half", "TERM"),
+         ("DEM half", "INT"), ("DEM half", "USR1"), ("cases/run", "TERM"), ("cases/run", "INT"), ("cases/run", "USR1"),
+         ("mpirun", "USR1")}
 # and here the halves, left alone, are told to end
-BESIDE = SAVES | {("cases/run", "KILL")}
+BESIDE = SAVES | {("cases/run", "KILL"), ("cases/run", "SEGV")}
 
 
 def plan(tries, seed=1):

@@ -12,12 +12,18 @@ import tempfile
 from cases.lib.case import cache
 from cases.lib.case.casefile import TOP
 from validation.lib.checks import coupled
-from validation.lib.faults import inputs, kills, resumed, tries, victim
+from validation.lib.faults import fuzz, inputs, kills, resumed, tries, victim
 
 TITLE = "faults: kills, full disks, two runs at once, damaged caches, odd inputs"
-PARTS = ("kills", "continue", "stops", "twice", "caches", "disk", "inputs", "moved", "messages")  # of --part
+PARTS = ("kills", "continue", "stops", "twice", "caches", "disk", "inputs", "moved", "messages",
+         "fuzz")  # of --part
 SAVED_BESIDE = 1e-3
 _PLACE = os.path.join(coupled.RUNS, "faults")
+
+
+def _in_turn(trials):
+    """One of each kind, then the next of each: what a table has that was cut short it has of all kinds."""
+    return sorted(trials, key=lambda t: t["number"])
 
 
 def _kills(checks, known, long):
@@ -25,7 +31,7 @@ def _kills(checks, known, long):
     trials = kills.plan(20) if long else [t for t in kills.plan(1) if (t["target"], t["signal"]) in (
         ("DEM half", "TERM"), ("CFD half", "KILL"), ("mpirun", "KILL"), ("cases/run", "INT"))]
     wrong = {}
-    for t in trials:
+    for t in _in_turn(trials):
         what = " ".join(str(t[k]) for k in ("target", "signal", "number"))
         said = known.outcome(f"kill {what}", lambda t=t: kills.attempt(t, os.path.join(_PLACE, "kill")))
         wrong.setdefault((t["target"], t["signal"]), []).append(said)
@@ -38,10 +44,11 @@ def _continue(checks, known, long):
     """A run that is ended goes on by --continue, and ends with the curve of one that was not."""
     trials = resumed.plan(20 if long else 1)
     if not long:
-        short = (("CFD half", "KILL"), ("mpirun", "KILL"), ("DEM half", "TERM"), ("cases/run", "INT"))
+        short = (("CFD half", "KILL"), ("mpirun", "KILL"), ("DEM half", "TERM"), ("CFD half", "TERM"),
+                 ("cases/run", "INT"))
         trials = [t for t in trials if (t["target"], t["signal"]) in short]
     wanted, said = {}, {}
-    for t in trials:
+    for t in _in_turn(trials):
         ranks = t["ranks"]
         if ranks not in wanted:
             wanted[ranks], why = resumed.whole(os.path.join(_PLACE, "whole"), t)
@@ -227,9 +234,9 @@ def _moved(checks, _known, _long):
         checks.equal("moved: a run there", done.status, 0)
 
 
-def _messages(checks, _known, _long):
-    """Damaged messages between the halves: the tests of the decoders, which ctest knows."""
-    if not checks.parts and not checks.long:
+def _messages(checks, known, long):
+    """Damaged messages between the halves: the tests of the decoders, which ctest knows; long every one of them."""
+    if not checks.parts and not long:
         return  # the check `unit` has just run them
     done = coupled.execute(["ctest", "--test-dir", os.path.join(TOP, "build"), "-R",
                             r"^exchange\.(decode|damage_runs|fuzz)$"], 600 * victim.slowdown())
@@ -237,10 +244,52 @@ def _messages(checks, _known, _long):
         checks.skipped("damaged messages", "its tests are not built")
         return
     checks.true("damaged messages: exchange.decode, damage_runs, fuzz", done.status == 0, done.output.strip()[-200:])
+    if not long:
+        return
+    every, wrong = _all_messages(), []
+    for first in range(0, every, _AT_ONCE):
+        said = known.outcome(f"messages {first}", lambda first=first: _damaged(first, first + _AT_ONCE))
+        if said:
+            wrong.append(f"{first}: {said}")
+    checks.at_least("damaged messages of a run of two programs", every, 300)
+    checks.true(f"{every} damaged messages: both halves end, with the reason", not wrong, wrong[0] if wrong else every)
+
+
+_AT_ONCE = 25
+
+
+def _damage_runs(chosen, limit):
+    program = os.path.join(TOP, "build", "bin", "test_damage_runs")
+    return coupled.execute([program, "--gtest_filter=*AMessageEndsBothHalvesWithALine"], limit,
+                           env={**os.environ, "CLAYFOAM_DAMAGE": chosen})
+
+
+def _all_messages():
+    """How many there are."""
+    return int(re.search(r"0 of (\d+) damaged messages", _damage_runs("0:0", 60).output).group(1))
+
+
+def _damaged(first, end):
+    done = _damage_runs(f"{first}:{end}", 60 * (end - first) * victim.slowdown())
+    return "" if done.status == 0 else done.output.strip()[-300:]
+
+
+def _fuzz(checks, _known, long):
+    """The decoders under libFuzzer, for 10 min."""
+    if not checks.parts and not long:
+        return
+    program, why = fuzz.build(os.path.join(_PLACE, "fuzz", "build"), coupled.execute)
+    if not program:
+        checks.skipped("libFuzzer on the decoders", why)
+        return
+    seconds = 600 if long else 10
+    count, wrong = fuzz.attempt(program, seconds, os.path.join(_PLACE, "fuzz"), coupled.execute)
+    checks.true(f"libFuzzer on the decoders for {seconds} s: no crash, no leak, no hang", not wrong, wrong or count)
+    checks.at_least("messages it made, a second", count / seconds, 1000)
 
 
 _DO = {"kills": _kills, "continue": _continue, "stops": _stops, "twice": _twice, "caches": _caches, "disk": _disk,
-       "inputs": _inputs, "moved": _moved, "messages": _messages}
+       "inputs": _inputs, "moved": _moved, "messages": _messages, "fuzz": _fuzz}
 
 
 def run(checks):

@@ -7,19 +7,9 @@ import numpy as np
 
 from cases.lib.case import openfoam
 from validation.lib.checks import fields
+from validation.lib.checks.fed_column import AREA, CELL, R, RHO, RHO_P, cells
 
-R, AREA, CELL, RHO = 5e-4, 8.16e-3**2, 4e-3, 1000.0
-MASS = 4 / 3 * np.pi * R**3 * 2600.0
-
-
-def cells(z, count):
-    """Volume [m3] of each sphere in each cell, round a periodic height."""
-    found = np.zeros((len(z), count))
-    for image in (-1, 0, 1):
-        edges = CELL * (np.arange(count + 1) + image * count)
-        s = np.clip(edges[None, :] - z[:, None], -R, R)
-        found += np.diff(np.pi * (2 / 3 * R**3 + R**2 * s - s**3 / 3), axis=1)
-    return found
+MASS = 4 / 3 * np.pi * R**3 * RHO_P
 
 
 def states(folder):

@@ -9,13 +9,13 @@ import numpy as np
 
 from cases.lib.output import spheres
 from cases.lib.theory.flux import DragLawFlux
-from validation.lib.checks import coupled, fields, plots
+from validation.lib.checks import coupled, plots
+from validation.lib.checks.fed_column import AREA, CELL, G, R, RHO, RHO_P, layers
 
-from .balance import AREA, CELL, R, cells, drift
+from .balance import drift
 
 TITLE = "grains that come and go: a steady feed, exact momentum, out of the fluid and back"
 
-RHO, RHO_P, G = 1000.0, 2600.0, 9.81
 FEED, FROM = 250.0, 0.096                # 1/s, m
 CLOSED = ["bottom=cyclic", "top=cyclic", "gravity=0", "size_z=0.024", "cells_z=6", "feed_from=0.007", "feed_to=0.016",
           "feed_speed=0.2", "feed_rate=100", "viscosity=1e-3", "coupling_steps=20", "end=0.4", "frames=4000",
@@ -34,27 +34,10 @@ def counts(folder):
         return json.load(f)
 
 
-def layers(folder, last):
-    """Solid fraction, mean velocity downwards of the solid and of the fluid times n [m/s], a row a frame of
-    the last third, a column a cell below the feed; n U [m/s] in the topmost cell."""
-    rows = {"phi": [], "v": [], "flow": [], "above": []}
-    within = slice(4, 22)
-    frames = spheres.dumps(folder)
-    for (_, path), (_, at) in list(zip(frames, fields.times(folder)))[2 * len(frames) // 3:]:
-        s = spheres.read(path)
-        share = cells(s["z"], last)
-        flow = fields.field(at, "U", last)[:, 2] * fields.field(at, "voidfraction", last)
-        rows["phi"].append(share.sum(axis=0)[within] / (AREA * CELL))
-        rows["v"].append(((share * -s["vz"][:, None]).sum(axis=0) / share.sum(axis=0))[within])
-        rows["flow"].append(flow[within])
-        rows["above"].append(flow[-1:])
-    return {k: np.array(v) for k, v in rows.items()}
-
-
 def fed(checks):
     folder = scene("fed", [])
     law = DragLawFlux("ergunWenYu", 2 * R, RHO_P, RHO, 2e-5, phi_m=0.7)
-    at = layers(folder, 30)
+    at = layers(folder)
     expected = law.velocity(at["phi"])
     flux = FEED * 4 / 3 * np.pi * R**3 / AREA
     checks.close("feed: velocity below it, mean over cells and times [m/s]", float(at["v"].mean()),

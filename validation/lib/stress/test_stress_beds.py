@@ -11,10 +11,12 @@ from validation.lib.stress import stress_beds, stress_design, stress_main
 
 class Beds(unittest.TestCase):
     def test_each_bound_is_seen(self):
-        good = {"energy": 1e-14, "moved": 1e-5, "height": 1e-5, "drop_error": 1e-3}
+        good = {"energy": 1e-14, "moved": 1e-5, "height": 1e-5, "drop_error": 1e-3, "velocity_error": 1e-3,
+                "solid_flux_error": 0.01, "fluid_flux_error": 0.01, "above": 1e-3, "momentum": 1e-14, "lost": 0}
         self.assertEqual(stress_beds.exceeded(good), [])
         for key, bad in (("energy", 2e-12), ("moved", 2e-3), ("height", 0.5), ("drop_error", 0.02),
-                         ("height", math.nan)):
+                         ("height", math.nan), ("velocity_error", 0.04), ("solid_flux_error", 0.04),
+                         ("fluid_flux_error", math.nan), ("above", 0.1), ("momentum", 1e-7), ("lost", 1)):
             found = stress_beds.exceeded({**good, key: bad})
             self.assertEqual(len(found), 1)
             self.assertIn(key, found[0])
@@ -27,7 +29,7 @@ class Beds(unittest.TestCase):
 
     def test_the_map_has_four_hundred_runs_of_all_states(self):
         points = stress_beds.points()
-        self.assertEqual({p["bed"] for p in points}, {"rest", "jammed", "held", "frozen"})
+        self.assertEqual({p["bed"] for p in points}, {"rest", "jammed", "held", "frozen", "fed"})
         rest = {(p["model"], p["overlap"], p["scheme"]) for p in points if p["bed"] == "rest"}
         self.assertEqual(len(rest), 8)
         both = points + stress_design.design()

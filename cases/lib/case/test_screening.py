@@ -50,7 +50,8 @@ class ScreeningTest(unittest.TestCase):
 
     def test_scripts(self):
         v = settings(salinity=1e-6)
-        own = "pair_style hybrid/overlay gran model hooke dlvo/clump 8e-4 &\n    debye 1e-4 hamaker 1e-14 contact 2e-5\n"
+        own = ("pair_style hybrid/overlay gran model hooke dlvo/clump 8e-4 &\n"
+               "    debye 1e-4 hamaker 1e-14 contact 2e-5\n")
         said = screening.of_scripts(v, {"in.liggghts": own})
         self.assertEqual(len(said), 1)
         self.assertIn("in.liggghts: pair dlvo/clump has a Debye length of its own, salinity's is 0.000304 m", said[0])

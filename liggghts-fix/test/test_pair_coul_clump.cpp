@@ -212,10 +212,9 @@ TEST(PairCoulClump, screenedSpheresOfTwoSizes)
 {
   for (const std::string precision : {"double", "single"}) {
     Host host;
-    host(
-        two("coul/clump 0.006 screened 4e-4 " + precision, 0.004) +
-        "set type 2 diameter 2e-3\nset type 2 density 2600\n"
-        "compute pe all pe pair\nthermo_style custom step c_pe\nrun 0\n");
+    host(two("coul/clump 0.006 screened 4e-4 " + precision, 0.004) +
+         "set type 2 diameter 2e-3\nset type 2 density 2600\n"
+         "compute pe all pe pair\nthermo_style custom step c_pe\nrun 0\n");
     const double a = 0.5 / 0.4, b = 1 / 0.4, qq = 2e-10 * -3e-10 * std::exp(a + b) / (1 + a) / (1 + b);
     const double force = k * qq * std::exp(-10.) * (1 / 0.004 + 1 / 4e-4) / 0.004,
                  near = precision == "single" ? 1e-6 : 1e-12;

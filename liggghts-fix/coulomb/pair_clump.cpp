@@ -286,6 +286,37 @@ void PairClump::tally()
   });
 }
 
+/* ----------------------------------------------------------------------
+   pairs of bodies as one, others sphere by sphere
+------------------------------------------------------------------------- */
+
+void PairClump::each_pair(const PairVisit &visit)
+{
+  if (!active_) return;
+  if (neighbor->lastcall != laid_out_ || atom->nlocal + atom->nghost != nall_) lay_out();
+  gather(0.0);
+  const double reach2 = cutoff() * cutoff();
+  for (const auto &p : clay::pairsInReach(groups_, cutoff())) {
+    const clay::ChargeGroup &A = groups_.groups[p.first], &B = groups_.groups[p.second];
+    const bool whole = !A.loose() && !B.loose();
+    double f[3] = {0.0, 0.0, 0.0}, energy = 0.0;
+    for (int a = A.begin; a < A.end; a++)
+      for (int b = B.begin; b < (p.first == p.second ? a : B.end); b++) {
+        const double d[3] = {groups_.x[a] - groups_.x[b], groups_.y[a] - groups_.y[b], groups_.z[a] - groups_.z[b]};
+        const double r2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        if (r2 >= reach2) continue;
+        double per_r = 0.0;
+        const double e = between(a, b, sqrt(r2), per_r);
+        energy = whole ? energy + e : e;
+        for (int k = 0; k < 3; k++) f[k] = whole ? f[k] + per_r * d[k] : per_r * d[k];
+        if (!whole) visit(order_[a], order_[b], share(order_[a], order_[b]), f, energy);
+      }
+    if (whole) visit(order_[A.begin], order_[B.begin], A.acted && B.acted ? 1.0 : 0.5, f, energy);
+  }
+}
+
+double PairClump::share(int i, int j) const { return 0.5 * (i < atom->nlocal) + 0.5 * (j < atom->nlocal); }
+
 /* ---------------------------------------------------------------------- */
 
 void PairClump::compute(int eflag, int vflag)

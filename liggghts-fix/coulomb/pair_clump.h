@@ -8,6 +8,7 @@
 #ifndef LMP_PAIR_CLUMP_H
 #define LMP_PAIR_CLUMP_H
 
+#include <functional>
 #include <vector>
 
 #include "coulomb/coul_kernel.h"
@@ -30,6 +31,11 @@ class PairClump : public Pair {
   bool kicks() const { return every_ > 1 && !hold_; }
   /// Steps between two evaluations.
   int every() const { return every_; }
+  /// Force f [N] on atom i, by j, and energy [J]; of two bodies their sums, with a sphere of each.
+  /// share is 1, or 1/2 of what another processor, or an image, sees as well.
+  typedef std::function<void(int i, int j, double share, const double *f, double energy)> PairVisit;
+  /// Visits what acts on each other at present.
+  void each_pair(const PairVisit &visit);
   /// Number of evaluations since the start.
   bigint evaluations() const { return evaluations_; }
 
@@ -63,6 +69,7 @@ class PairClump : public Pair {
   void take_forces(double factor);
   void add_forces();
   void tally();
+  double share(int i, int j) const;
 
   // on all charges of a body that are this processor's, or on a loose sphere
   struct Held {

@@ -61,6 +61,7 @@ class FixCoupleFoam : public Fix, public CoupledFluid {
 
   double fluid_viscosity() const override;
   double drag_coefficient(int i) const override { return fluid_[i][clay::FluidRow::DRAG]; }
+  void vertical_forces(std::vector<double> &bodies, std::vector<double> &atoms) override;
   /// DEM steps between two exchanges.
   int interval() const { return settings_.interval; }
   /// Particles keep still from now on, or move again (fix rest/bed).

@@ -94,6 +94,25 @@ void FixCoupleFoam::show_clumps()
   showing_ = false;
 }
 
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::vertical_forces(std::vector<double> &bodies, std::vector<double> &atoms)
+{
+  bodies.assign(bodies_ ? bodies_->n_body() : 0, 0.);
+  atoms.assign(atom->nlocal, 0.);
+  if (idle_ || !session_) return;
+  if (listed_ != atom->nlocal) list_free();
+  for (int i : free_) atoms[i] = clay::sphere_action(i, fluid_, spheres(), last_step()).force[2];
+  if (!bodies_) return;
+  std::vector<BodySphere> list;
+  if (still_) {
+    bodies_->spheres(list);
+    if (comm->nprocs > 1) comm->forward_comm_fix(this);  // rows of spheres that others own
+  }
+  const std::vector<clay::FluidAction> all = body_actions(list);
+  for (size_t b = 0; b < all.size(); b++) bodies[b] = all[b].force[2];
+}
+
 /* ----------------------------------------------------------------------
    force, drag, and the impulse given so far
 ------------------------------------------------------------------------- */

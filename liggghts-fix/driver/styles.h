@@ -9,6 +9,7 @@
 #include "clumps/fix_multisphere_clump.h"
 #include "rest/fix_rest_bed.h"
 #include "settling/fix_settling_curve.h"
+#include "settling/fix_settling_profile.h"
 #include "clumps/fix_template_clay.h"
 #include "contacts/fix_wall_gran_lean.h"
 #include "coulomb/pair_coul_clump.h"

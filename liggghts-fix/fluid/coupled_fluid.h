@@ -4,6 +4,8 @@
 /// stands below both, so that neither needs the other.
 #pragma once
 
+#include <vector>
+
 #include "fix.h"
 #include "modify.h"
 
@@ -18,6 +20,10 @@ class CoupledFluid {
 
   /// Drag coefficient of local atom i, as last answered [kg/s].
   virtual double drag_coefficient(int i) const = 0;
+
+  /// All that the fluid did to particles along z in the last step [N]: to this processor's bodies,
+  /// in fix multisphere's order, and to its atoms, 0 for those of bodies.
+  virtual void vertical_forces(std::vector<double> &bodies, std::vector<double> &atoms) = 0;
 
   /// The one of this script, or null when nothing couples it to a fluid.
   static CoupledFluid *find(Modify *modify)

@@ -123,7 +123,7 @@ void FixRestBed::init()
 std::string FixRestBed::why_not() const
 {
   static const char *still[] = {"gravity",        "nve/sphere",        "multisphere",
-                                "couple/foam",    "settling/curve",    "property/",
+                                "couple/foam",    "settling/",         "property/",
                                 "contacthistory", "particletemplate/", "particledistribution/",
                                 "insert/",        "rest/bed",          "print",
                                 "ave/",           "addforce",          "viscous",

@@ -16,8 +16,6 @@
 #include "contacts/granular_script.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_multisphere.h"
-#include "fix_property_atom.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "modify.h"
@@ -25,6 +23,7 @@
 #include "pair_gran.h"
 #include "primitive_wall.h"
 #include "script/values.h"
+#include "settling/column_script.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -118,57 +117,15 @@ void FixSettlingCurve::init()
 {
   if (!atom->radius_flag || !atom->rmass_flag)
     error->fix_error(FLERR, this, "needs spheres: atom_style sphere or granular");
-  if (modify->n_fixes_style("multisphere") > 1) error->fix_error(FLERR, this, "at most one fix multisphere");
-  multisphere_ = static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0));
+  multisphere_ = multisphere_of(lmp, "Fix settling/curve");
+  diameter_ = largest_diameter(lmp);
 
-  double largest = 0.0, smallest = 0.0, mine = 0.0, all = 0.0;
-  modify->max_min_rad(largest, smallest);
-  for (int i = 0; i < atom->nlocal; i++) mine = std::max(mine, atom->radius[i]);
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  diameter_ = 2.0 * std::max(largest, all);
-
-  find_column();
+  const ColumnSpace space = column_space(lmp);
+  if (!area_given_) area_ = space.area;
+  if (!bottom_given_) bottom_ = space.bottom;
   const double thickness = diameter_ > 0.0 ? diameter_ / 8.0 : domain->zprd / 1000.0;
   profile_.reset(new clay::SettlingProfile(bottom_, domain->boxhi[2], thickness));
   measured_ = -1;
-}
-
-/* ----------------------------------------------------------------------
-   cross-section and floor, from the column's own walls if it has any
-------------------------------------------------------------------------- */
-
-void FixSettlingCurve::find_column()
-{
-  if (!area_given_) area_ = domain->xprd * domain->yprd;
-  if (!bottom_given_) bottom_ = domain->boxlo[2];
-
-  double floor = domain->boxhi[2];
-  for (FixWallGran *wall : primitive_walls(lmp)) {
-    PrimitiveWall *primitive = wall->primitiveWall();
-    double to_wall[3] = {0.0, 0.0, 0.0}, from_axis[3];
-    if (primitive->axis() == 2) {
-      double inside[3] = {domain->boxlo[0] + 0.5123 * domain->xprd, domain->boxlo[1] + 0.4871 * domain->yprd, 0.0};
-      const double r = primitive->calcRadialDistance(inside, from_axis);
-      const double radius = r + primitive->resolveContact(inside, 0.0, to_wall);
-      if (!area_given_) area_ = M_PI * radius * radius;
-    } else if (primitive->axis() < 0) {
-      double middle[3];
-      for (int d = 0; d < 3; d++) middle[d] = 0.5 * (domain->boxlo[d] + domain->boxhi[d]);
-      primitive->resolveContact(middle, 0.0, to_wall);
-      if (to_wall[0] == 0.0 && to_wall[1] == 0.0) floor = std::min(floor, middle[2] + to_wall[2]);
-    }
-  }
-  if (!bottom_given_ && floor < 0.5 * (domain->boxlo[2] + domain->boxhi[2])) bottom_ = floor;
-}
-
-/* ---------------------------------------------------------------------- */
-
-double FixSettlingCurve::sphere_volume(int i) const
-{
-  if (multisphere_ && multisphere_->belongs_to(i) >= 0 && multisphere_->get_volumeweight())
-    return multisphere_->get_volumeweight()->vector_atom[i] * atom->rmass[i] / atom->density[i];
-  const double r = atom->radius[i];
-  return 4.0 / 3.0 * M_PI * r * r * r;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -206,7 +163,8 @@ void FixSettlingCurve::measure()
   profile_->clear();
   for (int i = 0; i < atom->nlocal; i++)
     if (!(std::fabs(atom->x[i][2]) < farthest)) stop(i);
-    else if (atom->mask[i] & groupbit) profile_->add(atom->x[i][2], atom->radius[i], sphere_volume(i));
+    else if (atom->mask[i] & groupbit)
+      profile_->add(atom->x[i][2], atom->radius[i], sphere_volume(lmp, multisphere_, i));
   std::vector<double> &sums = profile_->sums();
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM, world);
 

@@ -33,12 +33,8 @@ class FixSettlingCurve : public Fix {
   void end_of_step();
   double compute_vector(int);
 
-  /// Solid volume an atom stands for [m3]: a body's spheres share its volume.
-  double sphere_volume(int i) const;
-
  private:
   void parse(int narg, char **arg, bool &append);
-  void find_column();
   void stop(int i);
   void measure();
   void write_row();

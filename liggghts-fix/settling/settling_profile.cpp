@@ -5,16 +5,12 @@
 #include <cmath>
 
 namespace clay {
-namespace {
 
-// share of a sphere's volume below its centre's height plus t radii
 double capShare(double t)
 {
   t = std::clamp(t, -1.0, 1.0);
   return 0.25 * (t + 1) * (t + 1) * (2 - t);
 }
-
-}  // namespace
 
 SettlingProfile::SettlingProfile(double lo, double hi, double thickness) : lo_(lo)
 {

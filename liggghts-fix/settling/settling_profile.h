@@ -7,6 +7,9 @@
 
 namespace clay {
 
+/// Share of a sphere's volume below its centre's height plus t radii.
+double capShare(double t);
+
 /// Solids in thin horizontal slices. Spheres are spread over the slices they
 /// cross, by the volumes of their caps: the profile moves smoothly with them.
 class SettlingProfile {

@@ -271,6 +271,11 @@ class Case:
             raise CaseError(f"end = {v['end']} s: must be a multiple of dem_step = {v['dem_step']} s")
         every = int(v["coupling_steps"])
         frame = every * _every(max(1, steps // every), steps / v["frames"] / every)
+        profile = {}
+        if "profile_rows" in v:
+            # at exchanges, where both halves are at the same time
+            exchanges = _every(max(1, steps // every), steps / v["profile_rows"] / every)
+            profile = {"profile_steps": every * exchanges, "profile_exchanges": exchanges}
         return {
             **suspension.resolve(v),
             "steps": steps,
@@ -278,6 +283,7 @@ class Case:
             "frame_steps": frame,
             "frame_time": v["dem_step"] * frame,
             "curve_steps": _every(steps, steps / v["curve_rows"]),
+            **profile,
             "dem_ranks": dem_ranks,
             "cfd_ranks": cfd_ranks,
             "neighbour_skin": min(1e-3, 2 * v["sphere_radius"]),

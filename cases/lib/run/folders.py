@@ -17,7 +17,8 @@ MARK = "case.json"
 _FORMAT = "clayFoam run"
 LOCK = ".lock"
 # what a run leaves behind; removed when its folder is used again
-_REMAINS = ("DEM", "CFD", "alone", "dem.json", "summary.json", "report.html", "settling.csv", "stages.json", "*.png",
+_REMAINS = ("DEM", "CFD", "alone", "dem.json", "summary.json", "report.html", "settling.csv", "solids.csv",
+            "profile.csv", "stages.json", "*.png",
             "pressure_drop.csv", "bed.json",
             "*.liggghts", "packing.*", "packmol", "log.liggghts", "run.sh", "DEM.pvd",
             "checkpoints", "restart_forced_liggghts_*.data")  # LIGGGHTS's, when it is interrupted

@@ -47,8 +47,10 @@ def _keep_outputs(folder, derived):
     """Output goes on at the steps it had, also with another end."""
     with open(os.path.join(folder, "parameters.liggghts"), encoding="utf-8") as f:
         before = dict(_PARAMETER.findall(f.read()))
-    for key, kind in (("frame_steps", int), ("curve_steps", int), ("frame_time", float)):
-        derived[key] = kind(before[key])
+    for key, kind in (("frame_steps", int), ("curve_steps", int), ("profile_steps", int), ("profile_exchanges", int),
+                      ("frame_time", float)):
+        if key in before:
+            derived[key] = kind(before[key])
 
 
 def _next(stem):
@@ -64,10 +66,11 @@ def cut(folder, pair, dem_step):
     cfd = os.path.join(folder, "CFD")
     for path in glob.glob(os.path.join(glob.escape(folder), pairs.FOLDER, "*.part")):
         shutil.rmtree(path)  # a half was killed while it wrote
-    path = os.path.join(folder, "settling.csv")
-    if os.path.isfile(path):
-        # the row of that step is written again
-        series.cut_curve(path, pair.time - 0.5 * dem_step)
+    for name in ("settling.csv", "solids.csv"):
+        path = os.path.join(folder, name)
+        if os.path.isfile(path):
+            # the row of that step is written again
+            series.cut_curve(path, pair.time - 0.5 * dem_step)
     series.join_functions(cfd, pair.time + 0.5 * dem_step)
     for path in glob.glob(os.path.join(glob.escape(folder), "DEM", "spheres.*.dump")):
         if int(os.path.basename(path).split(".")[1]) > pair.step:

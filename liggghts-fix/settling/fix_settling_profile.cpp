@@ -16,6 +16,8 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_multisphere.h"
+#include "fix_property_global.h"
+#include "modify.h"
 #include "script/values.h"
 #include "settling/column_script.h"
 #include "settling/pair_listener.h"
@@ -30,7 +32,8 @@ typedef clay::ColumnProfile Profile;
 
 FixSettlingProfile::FixSettlingProfile(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg), file_(NULL), bins_(0), area_(0.0), bottom_(0.0), fluid_density_(0.0), area_given_(false),
-  bottom_given_(false), multisphere_(NULL), gravity_(lmp), measured_(-1), written_(-1), clusters_{0.0, 0.0}
+  bottom_given_(false), multisphere_(NULL), friction_(NULL), gravity_(lmp), measured_(-1),
+  written_(-1), clusters_{0.0, 0.0}
 {
   bool append = false;
   try {
@@ -111,6 +114,8 @@ void FixSettlingProfile::init()
   if (domain->zperiodic) error->fix_error(FLERR, this, "a column has a floor: z must not be periodic");
   multisphere_ = multisphere_of(lmp, "Fix settling/profile");
   gravity_.find();
+  friction_ = dynamic_cast<FixPropertyGlobal *>(modify->find_fix_property(
+      "coefficientFriction", "property/global", "peratomtypepair", atom->ntypes, atom->ntypes, style, false));
 
   const ColumnSpace space = column_space(lmp);
   if (!area_given_) area_ = space.area;

@@ -63,6 +63,7 @@ class FixSettlingProfile : public Fix {
   void add_walls();
   void add_clusters();
   Body body_of(int i);
+  double friction(int itype, int jtype) const;
   void link(const Body &a, const Body &b, double touch, double energy);
   std::vector<Link> pooled_links();
   template <class Row>
@@ -76,6 +77,7 @@ class FixSettlingProfile : public Fix {
   bool area_given_, bottom_given_;
 
   class FixMultisphere *multisphere_;
+  class FixPropertyGlobal *friction_;
   std::unique_ptr<class PairListener> listener_;
   ScriptGravity gravity_;
   std::unique_ptr<clay::ColumnProfile> profile_;

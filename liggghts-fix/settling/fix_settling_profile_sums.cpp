@@ -16,7 +16,9 @@
 #include "fix_wall_gran.h"
 #include "fluid/coupled_fluid.h"
 #include "force.h"
+#include "fix_property_global.h"
 #include "modify.h"
+#include "primitive_wall.h"
 #include "settling/column_script.h"
 #include "settling/fix_settling_profile.h"
 #include "settling/pair_listener.h"
@@ -162,6 +164,11 @@ void FixSettlingProfile::link(const Body &a, const Body &b, double touch, double
   links_.push_back({std::min(a.key, b.key), std::max(a.key, b.key), touch, energy});
 }
 
+double FixSettlingProfile::friction(int itype, int jtype) const
+{
+  return friction_ ? friction_->compute_array(itype - 1, jtype - 1) : HUGE_VAL;
+}
+
 void FixSettlingProfile::add_contacts()
 {
   PairGran *gran = granular_pair(lmp);
@@ -169,7 +176,13 @@ void FixSettlingProfile::add_contacts()
   listener_->each(gran, [this](int i, int j, const double *f) {
     const Body a = body_of(i), b = body_of(j);
     if (a.key == b.key) return;
-    profile_->addAcross(Profile::CONTACT, b.x[2], a.x[2], f[2]);
+    double apart[3], held[3];
+    for (int d = 0; d < 3; d++) {
+      apart[d] = atom->x[i][d] - atom->x[j][d];
+      held[d] = f[d];
+    }
+    limit_friction(held, apart, friction(atom->type[i], atom->type[j]));
+    profile_->addAcross(Profile::CONTACT, b.x[2], a.x[2], held[2]);
     link(a, b, 1.0, 0.0);
   });
 }
@@ -200,8 +213,13 @@ void FixSettlingProfile::add_walls()
     const bool plane = plane_height(lmp, wall, height);
     each_wall_force(lmp, wall, [&](int i, const double *f) {
       const double z = body_of(i).x[2];
-      if (plane && height < z) profile_->addAcross(Profile::CONTACT, height, z, f[2]);
-      else profile_->addAbove(Profile::WALL, z, f[2]);
+      double held[3] = {f[0], f[1], f[2]}, to_wall[3] = {0.0, 0.0, 0.0};
+      if (!wall->is_mesh_wall()) {
+        wall->primitiveWall()->resolveContact(atom->x[i], atom->radius[i], to_wall);
+        limit_friction(held, to_wall, friction(atom->type[i], wall->atom_type_wall()));
+      }
+      if (plane && height < z) profile_->addAcross(Profile::CONTACT, height, z, held[2]);
+      else profile_->addAbove(Profile::WALL, z, held[2]);
     });
   }
 }

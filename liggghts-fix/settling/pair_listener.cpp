@@ -1,6 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 #include "settling/pair_listener.h"
 
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -50,6 +51,23 @@ void PairListener::add_pair(int i, int j, double fx, double fy, double fz, doubl
   if (j >= atom->nlocal && atom->tag[i] <= atom->tag[j]) return;
   const double f[3] = {fx, fy, fz};
   (*visit_)(i, j, f);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void LAMMPS_NS::limit_friction(double *f, const double *n, double coefficient)
+{
+  double n2 = 0.0, along = 0.0, f2 = 0.0;
+  for (int d = 0; d < 3; d++) {
+    n2 += n[d] * n[d];
+    along += f[d] * n[d];
+    f2 += f[d] * f[d];
+  }
+  if (n2 == 0.0) return;
+  const double normal2 = along * along / n2, most2 = coefficient * coefficient * normal2, side2 = f2 - normal2;
+  if (side2 <= most2) return;
+  const double part = std::sqrt(most2 / side2);
+  for (int d = 0; d < 3; d++) f[d] = along / n2 * n[d] + part * (f[d] - along / n2 * n[d]);
 }
 
 /* ----------------------------------------------------------------------

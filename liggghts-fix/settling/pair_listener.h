@@ -34,6 +34,10 @@ class PairListener : public ComputePairGranLocal {
   const Pair *visit_;
 };
 
+/// Keeps friction within its coefficient. A contact that slides has a spring as long as friction lets it be; looked at
+/// without a step it seems to hold, and the damping of its sliding is added. normal: of any length.
+void limit_friction(double *f, const double *normal, double coefficient);
+
 /// Visits each atom at a wall, with the force [N] that the wall puts on it.
 void each_wall_force(LAMMPS *lmp, FixWallGran *wall, const std::function<void(int i, const double *f)> &visit);
 

@@ -171,6 +171,36 @@ TEST(FixSettlingProfile, aStackByHand)
   std::remove(name);
 }
 
+// what slides is held by friction alone: as in the step itself, not with the damping of a contact that holds
+TEST(FixSettlingProfile, slidingContacts)
+{
+  for (const char *lean : {"", "/lean"}) {
+    const auto slid = [lean](double x, double more) {
+      Host host;
+      std::ostringstream s;
+      s.precision(15);
+      s << "create_atoms 1 single " << x << " 0 0.02 units box\n";
+      if (more > 0) s << "create_atoms 2 single " << x - more << " 0 0.0202 units box\n";
+      s << "set group all diameter 2e-3 density 2600\nfix nve all nve/sphere\ngroup one type 1\n"
+           "velocity one set 0 0 -0.5 units box\n";
+      host(bed({std::string("gran") + lean, std::string("wall/gran") + lean, s.str()},
+               "pair_coeff 1 1 coul/clump 0\npair_coeff 2 2 coul/clump 0\n" + profile(1, "bins 800"), 6));
+      const test::Atom a = host.atoms()[0];
+      const double m = 2600 * 4.0 / 3 * M_PI * 1e-9, other = a.f[2] + m * 9.81 + 3e-4 * a.v[2];
+      if (test::processors() > 1) return;
+      // slices of 0.1 mm: a plane below the first, a plane between the two
+      const int k = static_cast<int>(a.x[2] / 1e-4) + (more > 0 ? 1 : -1);
+      const double found = more > 0 ? -fix(host).profile().get(ColumnProfile::CONTACT, k)
+                                    : fix(host).profile().get(ColumnProfile::WALL, k);
+      EXPECT_GT(other, 1e-4) << lean;
+      EXPECT_NEAR(found, other, 0.02 * other) << lean << x;
+    };
+    slid(0.007 + 2e-5, 0);
+    slid(0.001, 2e-3 - 4e-5);
+  }
+  std::remove(name);
+}
+
 // unlike charges at rest hold each other over a gap, moving ones do not
 TEST(FixSettlingProfile, chargesThatBind)
 {

@@ -274,8 +274,10 @@ class Case:
         profile = {}
         if "profile_rows" in v:
             # at exchanges, where both halves are at the same time
-            exchanges = _every(max(1, steps // every), steps / v["profile_rows"] / every)
-            profile = {"profile_steps": every * exchanges, "profile_exchanges": exchanges}
+            wanted = max(steps / 200, 1500) if v["profile_rows"] == "auto" else steps / v["profile_rows"]
+            exchanges = max(1, steps // every)
+            profile_steps = every * _every(exchanges, min(exchanges, wanted / every))
+            profile = {"profile_steps": profile_steps, "profile_time": v["dem_step"] * profile_steps}
         return {
             **suspension.resolve(v),
             "steps": steps,

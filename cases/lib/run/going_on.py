@@ -47,7 +47,7 @@ def _keep_outputs(folder, derived):
     """Output goes on at the steps it had, also with another end."""
     with open(os.path.join(folder, "parameters.liggghts"), encoding="utf-8") as f:
         before = dict(_PARAMETER.findall(f.read()))
-    for key, kind in (("frame_steps", int), ("curve_steps", int), ("profile_steps", int), ("profile_exchanges", int),
+    for key, kind in (("frame_steps", int), ("curve_steps", int), ("profile_steps", int), ("profile_time", float),
                       ("frame_time", float)):
         if key in before:
             derived[key] = kind(before[key])

@@ -180,6 +180,11 @@ def _draw(case, run, derived, pictures, torn):
     from cases.lib.output import paraview
     if glob.glob(os.path.join(glob.escape(run.folder), "DEM", "spheres.*.dump")):
         paraview.time_series(run.folder, v["dem_step"], torn)
+    columns = None
+    if os.path.isfile(os.path.join(run.folder, "solids.csv")):
+        from cases.lib.output import profile
+        columns = profile.joined(run.folder, {**v, **derived})
+        profile.write(run.folder, columns)
     if not pictures or not settled:
         return ""
     import numpy as np
@@ -188,6 +193,10 @@ def _draw(case, run, derived, pictures, torn):
         from cases.lib.output import pictures as draw
         draw.settling(run.folder, arrays, heading.days(case), title)
         draw.columns(run.folder, v, title, heading.days(case), torn=torn)
+    if columns:
+        from cases.lib.output import profile_pictures
+        profile_pictures.space_time(run.folder, columns, arrays, title)
+        profile_pictures.stresses(run.folder, columns, title)
     if v.get("velocity_to", 0) > v.get("velocity_from", 0) and v["bottom"] == "inlet":
         from cases.lib.run import beds
         return "".join(f"\n  {a:<14}{b}" for a, b in beds.finish(run.folder, {**v, **derived}, arrays, title))

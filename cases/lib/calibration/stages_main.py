@@ -121,9 +121,44 @@ def table(fit, stages, names, scale):
     return "\n".join(lines + [words + " (a stage falls at most half as fast as the one before, and is no mere knee)"])
 
 
-def as_json(path, fit, stages, names):
+def carried(folder):
+    """{"begin", "full": times [s]} from which on stresses carry over half of the buoyant weight, at the bottom and up
+    to the top of the solids, None where they never do; nothing without a profile."""
+    from cases.lib.output import profile
+    from cases.lib.theory import carrying
+    try:
+        columns = profile.read(folder)
+    except OSError:
+        return {}
+    if len(columns["time_s"]) < _LEAST_ROWS:
+        return {}
+    *_, begin, full = carrying.of_profile(columns)
+    return {"begin": begin, "full": full, "interval": float(np.max(np.diff(columns["time_s"])))}
+
+
+def by_stress(found, fit):
+    """Lines on stages by stress, and whether they are those of the curve."""
+    if not found:
+        return ""
+    if found["begin"] is None:
+        return "\n  by stress: contacts and charges carry less than half of the buoyant weight at the bottom to the end"
+    lines = [f"  by stress: consolidation begins at {found['begin']:.4g} s, from the bottom up"
+             + (f"; contacts and charges carry over half of the weight at all heights from {found['full']:.4g} s on"
+                if found["full"] is not None else "; it does not come to the top")]
+    for what, at in (("its begin", found["begin"]), ("its coming to the top", found["full"])):
+        if at is None or not len(fit.breaks):
+            continue
+        k = int(np.argmin(np.abs(fit.breaks - at)))
+        low, high = fit.breaks_ci[k]
+        near = low - found["interval"] <= at <= high + found["interval"]
+        lines.append(f"  {what} and break {k + 1} of the curve, {fit.breaks[k]:.4g} s, "
+                     + ("agree within the interval" if near else f"differ by {abs(at - fit.breaks[k]):.3g} s"))
+    return "\n".join([""] + lines)
+
+
+def as_json(path, fit, stages, names, found):
     """All of it, in the file's own units."""
-    return {"curve": path, "columns": names, "segments": [
+    return {**({"by_stress": found} if found else {}), "curve": path, "columns": names, "segments": [
         {"from": a, "to": b, "slope": s, "slope_interval": list(ci), "near_linear": bool(ok)}
         for a, b, s, ci, ok in zip(fit.knots[:-1].tolist(), fit.knots[1:].tolist(), fit.slopes.tolist(),
                                    fit.slopes_ci.tolist(), fit.linear)],
@@ -199,10 +234,12 @@ def main():
         raise CaseError(f"{path}: {t.size} rows; must be at least {_LEAST_ROWS}")
     out = settings.folder(os.path.dirname(os.path.abspath(path)) if args.out is None else args.out)
     fit, stages = find(t, z, args)
-    print(table(fit, stages, names, scale))
+    # of a run's own curve, whole and in seconds
+    found = carried(args.curve) if os.path.isdir(args.curve) and not args.data else {}
+    print(table(fit, stages, names, scale) + by_stress(found, fit))
     program.result(os.path.join(out, "stages.json"))
     with open(os.path.join(out, "stages.json"), "w", encoding="utf-8") as f:
-        json.dump(as_json(path, fit, stages, names), f, indent=2)
+        json.dump(as_json(path, fit, stages, names, found), f, indent=2)
         f.write("\n")
     draw(os.path.join(out, "stages.png"), t, z, fit, names, title)
     print(f"stages.json and stages.png in {out}")

@@ -72,6 +72,24 @@ class StagesTest(unittest.TestCase):
         self.assertEqual(found["stages"]["count"], 2)
         self.assertIn("fewer than", said)
 
+    def test_by_stress(self):
+        t = np.linspace(0, 10, 101)
+        z = (np.arange(10) + 0.5) * 0.01
+        curve = np.where(t < 4, 0.1 - 0.0125 * t, 0.05)
+        with open(os.path.join(self.store.name, "settling.csv"), "w", encoding="utf-8") as f:
+            f.write("time_s,interface_m\n")
+            f.writelines(f"{a:.4g},{b:.6g}\n" for a, b in zip(t, curve))
+        for begins, says in ((4.0, "agree within the interval"), (8.0, "differ by 4")):
+            with open(os.path.join(self.store.name, "profile.csv"), "w", encoding="utf-8") as f:
+                f.write("time_s,height_m,contact_Pa,coulomb_Pa,weight_Pa\n")
+                for a in t:
+                    f.writelines(f"{a:.4g},{h},{(0.8 if a >= begins else 0.1) * max(50 - 1000 * h, 0):.6g},0,"
+                                 f"{max(50 - 1000 * h, 0):.6g}\n" for h in z)
+            text, kept = self.run_on(self.store.name, "--samples", "40")
+            self.assertIn("by stress: consolidation begins at", text)
+            self.assertIn(says, text)
+            self.assertAlmostEqual(kept["by_stress"]["begin"], begins, delta=0.11)
+
     def test_refusals(self):
         rows = "".join(f"{k},{1 - 0.01 * k},0\n" for k in range(20))
         for text, data, words in (("a,b,c\n" + rows, None, "--data TIME,HEIGHT says which two"),

@@ -88,6 +88,6 @@ def stresses(folder, columns, title):
         ax.set_ylabel("height [mm]")
     handles, labels = axes.flat[0].get_legend_handles_labels()
     fig.legend(handles, labels, fontsize=8, ncol=3, loc="lower center")
-    fig.suptitle(title, fontsize=9)
+    fig.suptitle(wrapped(title, fig.get_size_inches()[0]), fontsize=9)
     fig.tight_layout(rect=(0, 0.075, 1, 1))
     _save(fig, os.path.join(folder, "profile_stress.png"))

@@ -360,7 +360,8 @@ TEST(RunChecks, pullOfDlvoAgainstStiffness)
   Host host;
   host(
       test::opening("f f f", "-0.01 0.01 -0.01 0.01 -0.01 0.01") +
-      "fix p1 all property/global kn peratomtypepair 2 5 5 5 5\nfix p2 all property/global kt peratomtypepair 2 5 5 5 5\n"
+      "fix p1 all property/global kn peratomtypepair 2 5 5 5 5\n"
+      "fix p2 all property/global kt peratomtypepair 2 5 5 5 5\n"
       "fix p3 all property/global gamman peratomtypepair 2 1 1 1 1\n"
       "fix p4 all property/global gammat peratomtypepair 2 1 1 1 1\n"
       "fix p5 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"

@@ -182,7 +182,9 @@ TEST(FixSettlingProfile, slidingContacts)
       s << "create_atoms 1 single " << x << " 0 0.02 units box\n";
       if (more > 0) s << "create_atoms 2 single " << x - more << " 0 0.0202 units box\n";
       s << "set group all diameter 2e-3 density 2600\nfix nve all nve/sphere\ngroup one type 1\n"
-           "velocity one set 0 0 -0.5 units box\n";
+           "velocity one set "
+        << (more > 0 ? 0.05 : -0.05) << " 0 -0.5 units box\nfix push one addforce " << (more > 0 ? -0.05 : 0.05)
+        << " 0 0\n";  // the normal force grows, and the spring that was held by friction seems to hold
       host(bed({std::string("gran") + lean, std::string("wall/gran") + lean, s.str()},
                "pair_coeff 1 1 coul/clump 0\npair_coeff 2 2 coul/clump 0\n" + profile(1, "bins 800"), 6));
       const test::Atom a = host.atoms()[0];

@@ -79,7 +79,7 @@ macro(clayfoam_model_tests)
       selfDisturbanceModels/selfDisturbanceTest
       coupling/leftOutTest
       coupling/momentumLedgerTest
-      coupling/momentumLedgerMeasuresTest
+      coupling/particleSumsTest
       coupling/voidFractionHistoryTest
       coupling/particleForcesTest
       coupling/cellWavesTest

@@ -6,48 +6,6 @@
 #include "savedState.H"
 #include "zeroGradientFvPatchFields.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-template<class Type>
-void Foam::momentumLedger::spread
-(
-    const dispersedParticles& p,
-    const Field<Type>& values,
-    Field<Type>& cells
-) const
-{
-    const scalarField& V = mesh_.V();
-
-    cells = Zero;
-    forAll(values, i)
-    {
-        for (label e = p.offset[i]; e < p.offset[i + 1]; ++e)
-        {
-            const label celli = p.cellIndex[e];
-            cells[celli] += (p.weight[e]/V[celli])*values[i];
-        }
-    }
-}
-
-
-void Foam::momentumLedger::smooth
-(
-    const smoothingModel& smoothing,
-    vectorField& cells
-) const
-{
-    if (!smoothing.active())
-    {
-        return;
-    }
-
-    const vector before(gSum(cells*mesh_.V()));
-    smoothing.smooth(cells);
-    const vector after(gSum(cells*mesh_.V()));
-    cells += (before - after)/gSum(mesh_.V());
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::momentumLedger::momentumLedger
@@ -59,12 +17,7 @@ Foam::momentumLedger::momentumLedger
 :
     mesh_(mesh),
     rho_(rho),
-    weighted_(weighted),
-    K_(mesh.nCells(), Zero),
-    mass_(mesh.nCells(), Zero),
-    reaction_(mesh.nCells(), Zero),
-    added_(weighted ? mesh.nCells() : 0, Zero),
-    velocity_(mesh.nCells(), Zero),
+    sums_(mesh, rho, weighted),
     owed_
     (
         IOobject
@@ -107,11 +60,6 @@ Foam::momentumLedger::momentumLedger
         return;
     }
     readCells(mesh, "couplingGiven", given_);
-    if (weighted_)
-    {
-        readCells(mesh, "couplingDrag", K_);
-        readCells(mesh, "couplingMass", mass_);
-    }
     saved.readEntry("ledgerInterval", interval_);
     saved.readEntry("givenTotal", givenTotal_);
     saved.readEntry("buoyancyTotal", buoyancyTotal_);
@@ -131,8 +79,8 @@ void Foam::momentumLedger::settle
 )
 {
     vectorField received(mesh_.nCells());
-    spread(p, vectorField(p.impulse - buoyancy), received);
-    smooth(smoothing, received);
+    sums_.spread(p, vectorField(p.impulse - buoyancy), received);
+    sums_.smooth(smoothing, received);
 
     // what cells were given on lengths that smoothing does not let particles
     // see has damped differences there, and is not asked back; its sum is zero
@@ -140,7 +88,7 @@ void Foam::momentumLedger::settle
     // all ranks alike: settings
     if (bothWays)
     {
-        smooth(smoothing, answered);
+        sums_.smooth(smoothing, answered);
     }
 
     owed_.primitiveFieldRef() -= received + answered;
@@ -180,140 +128,10 @@ void Foam::momentumLedger::settleGone
     if (volume > 0)
     {
         vectorField received(impulse*gone/(volume*mesh_.V()));
-        smooth(smoothing, received);
+        sums_.smooth(smoothing, received);
         owed_.primitiveFieldRef() -= received;
         owed_.correctBoundaryConditions();
     }
-}
-
-
-void Foam::momentumLedger::setSources
-(
-    const dispersedParticles& p,
-    const vectorField& velocity,
-    const scalarField& K,
-    const vectorField& force,
-    const scalarField& added,
-    const smoothingModel& smoothing
-)
-{
-    spread(p, K, K_);
-    spread(p, p.mass, mass_);
-    if (weighted_)
-    {
-        spread(p, added, added_);
-        spread(p, vectorField(p.mass/(p.mass + added)*force), reaction_);
-    }
-    else
-    {
-        spread(p, force, reaction_);
-    }
-    spread(p, vectorField(K*velocity), velocity_);
-
-    if (smoothing.active())
-    {
-        smoothing.smooth(K_);
-        smoothing.smooth(mass_);
-        // all ranks alike: from the forces that are listed
-        if (weighted_)
-        {
-            smoothing.smooth(added_);
-        }
-        smooth(smoothing, reaction_);
-        smooth(smoothing, velocity_);
-    }
-
-    forAll(velocity_, celli)
-    {
-        if (K_[celli] > VSMALL)
-        {
-            velocity_[celli] /= K_[celli];
-        }
-        else
-        {
-            K_[celli] = 0;
-            velocity_[celli] = Zero;
-        }
-    }
-    reaction_ *= -1;
-}
-
-
-void Foam::momentumLedger::setReaction
-(
-    const dispersedParticles& p,
-    const vectorField& force,
-    const smoothingModel& smoothing
-)
-{
-    spread(p, force, reaction_);
-    smooth(smoothing, reaction_);
-    reaction_ *= -1;
-}
-
-
-Foam::scalarField Foam::momentumLedger::follow
-(
-    const volScalarField& n,
-    const scalar addedDensity
-) const
-{
-    const scalar Cm = addedDensity/rho_;
-    scalarField part(mass_.size(), 1);
-
-    forAll(part, celli)
-    {
-        const scalar f = 1 - n[celli];
-        const scalar answer =
-            rho_*f*f/n[celli]*(1 + Cm/n[celli] + Cm);
-        const scalar inertia =
-            mass_[celli] + f*addedDensity + K_[celli]*interval_;
-
-        if (mass_[celli] > VSMALL && answer > inertia)
-        {
-            part[celli] = inertia/answer;
-        }
-    }
-    return part;
-}
-
-
-Foam::scalar Foam::momentumLedger::stiffness
-(
-    const volScalarField& n,
-    const scalar T
-) const
-{
-    scalar largest = 0;
-    forAll(K_, celli)
-    {
-        largest = max(largest, K_[celli]*T/(rho_*n[celli]));
-    }
-    return returnReduce(largest, maxOp<scalar>());
-}
-
-
-Foam::scalar Foam::momentumLedger::pressureStiffness
-(
-    const volScalarField& n,
-    const scalar T
-) const
-{
-    scalar largest = 0;
-    forAll(mass_, celli)
-    {
-        if (mass_[celli] > VSMALL)
-        {
-            const scalar f = 1 - n[celli];
-            largest = max
-            (
-                largest,
-                rho_*f*f/(n[celli]*(mass_[celli] + K_[celli]*T))
-            );
-        }
-    }
-    largest = returnReduce(largest, maxOp<scalar>());
-    return weighted_ ? min(largest, 1) : largest;
 }
 
 
@@ -335,15 +153,17 @@ void Foam::momentumLedger::prepare(const scalar dt)
     forAll(Sp, celli)
     {
         // K dt for K dt << m, m for K dt >> m
-        const scalar m = mass_[celli];
+        const scalar m = sums_.mass(celli);
         Sp[celli] =
             m > VSMALL
-          ? -m*std::expm1(-K_[celli]*now/inertia(celli))/(rho_*dt)
+          ? -m
+             *std::expm1(-sums_.K(celli)*now/sums_.inertia(celli))
+             /(rho_*dt)
           : 0;
 
         F[celli] =
-            Sp[celli]*velocity_[celli]
-          + (part*reaction_[celli] + owed[celli]/max(dt, interval_))/rho_;
+            Sp[celli]*sums_.velocity(celli)
+          + (part*sums_.reaction(celli) + owed[celli]/max(dt, interval_))/rho_;
     }
 
     Sp_.correctBoundaryConditions();
@@ -369,7 +189,7 @@ void Foam::momentumLedger::prepare
         F[celli] =
             part
            *(
-                (response.source()[celli] + reaction_[celli])/rho_
+                (response.source()[celli] + sums_.reaction(celli))/rho_
               - response.reaction()[celli]*gradP[celli]
             )
           + response.pay()[celli]*owed[celli]/(max(dt, interval_)*rho_);
@@ -405,20 +225,12 @@ void Foam::momentumLedger::record(const volVectorField& U, const scalar dt)
 {
     const scalarField& Sp = Sp_.primitiveField();
     const vectorField& F = F_.primitiveField();
-    const scalar now = min(dt, interval_);
 
     forAll(given_, celli)
     {
-        const vector& Uc = U[celli];
-        given_[celli] += (F[celli] - Sp[celli]*Uc)*(rho_*dt);
-
-        if (mass_[celli] > VSMALL)
-        {
-            velocity_[celli] =
-                Uc
-              + (velocity_[celli] - Uc)*exp(-K_[celli]*now/inertia(celli));
-        }
+        given_[celli] += (F[celli] - Sp[celli]*U[celli])*(rho_*dt);
     }
+    sums_.approach(U, min(dt, interval_));
 }
 
 
@@ -442,12 +254,6 @@ Foam::scalar Foam::momentumLedger::residual(const vector& received) const
 void Foam::momentumLedger::save(stateWriter& to)
 {
     to.cells("couplingGiven", given_);
-    // all ranks alike: a setting
-    if (weighted_)
-    {
-        to.cells("couplingDrag", K_);
-        to.cells("couplingMass", mass_);
-    }
     dictionary& numbers = to.numbers();
     numbers.set("ledgerInterval", interval_);
     numbers.set("givenTotal", givenTotal_);

@@ -203,7 +203,7 @@ TEST(momentumLedger, withoutParticlesGivesNothing)
     dispersedParticles p;
     p.setSize(0);
     ledger.settle(p, vectorField(), smoothing(), false);
-    ledger.setSources
+    ledger.sums().set
     (
         p, vectorField(), scalarField(), vectorField(), scalarField(),
         smoothing()
@@ -311,7 +311,7 @@ TEST(momentumLedger, whatParticlesDoNotSeeIsDamped)
     const scalar T = 1e-3, k = 1e-5;
     const scalarField none;
     momentumLedger ledger(mesh, rho, false);
-    ledger.setSources
+    ledger.sums().set
     (
         p, p.velocity, scalarField(n, k), vectorField(n, Zero), none,
         smoothing()
@@ -328,7 +328,7 @@ TEST(momentumLedger, whatParticlesDoNotSeeIsDamped)
     ledger.settle(p, vectorField(n, Zero), smoothing(), true);
     const scalar given = 0.1*k*T;
     ledger.begin(T);
-    ledger.setSources
+    ledger.sums().set
     (
         p, p.velocity, scalarField(n, Zero), vectorField(n, Zero), none,
         smoothing()

@@ -66,7 +66,7 @@ void Foam::particleCoupling::foreseeAnswer()
     // all ranks alike: a setting
     if (forces_.addedDensity() > 0)
     {
-        ledger_.setReaction(p, forces_.reacting, smoothing_());
+        ledger_.sums().setReaction(p, forces_.reacting, smoothing_());
     }
     response_.foresee
     (

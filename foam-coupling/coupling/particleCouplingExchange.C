@@ -65,7 +65,12 @@ void Foam::particleCoupling::exchangeMomentum()
     scalarField part(added ? mesh_.nCells() : 0, 1.0);
     if (added && !response_.active())
     {
-        part = ledger_.follow(history_.mapped(), forces_.addedDensity());
+        part = ledger_.sums().follow
+        (
+            history_.mapped(),
+            forces_.addedDensity(),
+            ledger_.interval()
+        );
     }
     forces_.evaluate
     (
@@ -116,7 +121,7 @@ void Foam::particleCoupling::exchangeMomentum()
     solids_.update(p, forces_.K, forces_.u, sumShared_);
 
     // the cells show the particles' own part besides: K (v + own - U)
-    ledger_.setSources
+    ledger_.sums().set
     (
         p,
         own.size() ? vectorField(p.velocity + own) : p.velocity,
@@ -232,10 +237,10 @@ bool Foam::particleCoupling::next()
         const volScalarField& n = history_.mapped();
         // all ranks alike: so is each of these
         const bool stiff =
-            ledger_.stiffness(n, interval_) > stiffLimit_
+            ledger_.sums().stiffness(n, interval_) > stiffLimit_
          || (
                 properties_.has("pressureGradient")
-             && ledger_.pressureStiffness(n, interval_) > 1
+             && ledger_.sums().pressureStiffness(n, interval_) > 1
             );
         late_ = stiff || !properties_.overlap();
         // all ranks alike: the largest stiffness of all

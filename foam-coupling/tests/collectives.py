@@ -43,7 +43,8 @@ ALIKE = re.compile(
     r"|returnReduce ?\(.*\)|sumShared_?|true|case .*|runTime_\.writeTime\(\))")
 # whose functions are called through what names
 OBJECTS = {
-    "ledger_": "momentumLedger", "history_": "voidFractionHistory", "forces_": "particleForces",
+    "ledger_": "momentumLedger", "sums_": "particleSums", "sums": "particleSums",
+    "history_": "voidFractionHistory", "forces_": "particleForces",
     "force": "forceModel", "smoothing": "smoothingModel", "smoothing_": "smoothingModel",
     "mapping_": "voidFractionModel", "coupling": "particleCoupling", "fluid": "fluidSolver",
     "quiet_": "quietFluid", "self_": "selfDisturbanceModel", "faces_": "faceOperators",

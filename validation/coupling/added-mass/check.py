@@ -84,7 +84,7 @@ def run(checks):
     checks.at_most("ratio 0.001: largest speed, over the end's", float(np.abs(v).max() / suspension(t, 1, phi)[-1]),
                    1.05)
     checks.close("ratio 0.001: speed at the end [m/s]", v[-1], suspension(t, 1, phi)[-1], 0.02)
-    # G of Foam::momentumLedger::follow is four times the inertia there
+    # G of Foam::particleSums::follow is four times the inertia there
     packed = ("spacing=2.1e-3", "size_x=0.0168", "size_y=0.0168", "size_z=0.0504")
     phi_packed = 4 / 3 * np.pi * 1e-9 / 2.1e-3**3
     fast = np.abs(column("packed", 1, with_it, 20, *packed)[2]).max()

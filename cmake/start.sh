@@ -20,7 +20,7 @@ fi
 words=()
 for word; do
     case $word in
-        -h | --help | --list | --keys | --version) setup=0 ;;
+        -h | --help | --list | --counts | --keys | --version) setup=0 ;;
         --yes) what+=(--yes); continue ;;
     esac
     words+=("$word")

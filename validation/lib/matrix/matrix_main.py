@@ -16,12 +16,31 @@ def differing(row):
                     if value != axes.AXES[axis][0] or axis in ("cfd", "dem"))
 
 
+def _ranks(row):
+    """Ranks of the two halves, DEM + CFD."""
+    return f"{row['dem']}+{row['cfd']}"
+
+
+def table(rows):
+    """A table, as Markdown, of how many rows hold each value of each axis, in all and on which ranks;
+    rows that must be refused are left out."""
+    running = [row for row in rows.values() if axes.refusal(row) is None]
+    ranks = sorted(set(map(_ranks, running)))
+    lines = ["| setting | value | rows | " + " | ".join(ranks) + " |", "|" + "---|"*(3 + len(ranks))]
+    for axis, values in axes.AXES.items():
+        for value in values:
+            held = collections.Counter(_ranks(row) for row in running if row[axis] == value)
+            lines.append(f"| {axis} | {value} | {sum(held.values())} | "
+                         + " | ".join(str(held[r]) for r in ranks) + " |")
+    return lines
+
+
 def counts(rows):
     """Lines that say how much the rows cover."""
     every = pairs.allowed_pairs(axes.AXES, axes.allowed)
     held = {p for row in rows.values() if axes.refusal(row) is None for p in pairs.pairs_of(row)}
     covered = sum(p in held for p in every)
-    ranks = collections.Counter(f"{r['dem']}+{r['cfd']}" for r in rows.values())
+    ranks = collections.Counter(map(_ranks, rows.values()))
     return [f"{len(rows)} rows, {len(axes.AXES)} axes, {covered} of {len(every)} pairs of values",
             "rows by ranks, DEM + CFD: " + ", ".join(f"{k}: {v}" for k, v in sorted(ranks.items()))]
 
@@ -32,6 +51,7 @@ def main():
         description="Short coupled runs on several ranks of each half against one rank of each.")
     p.add_argument("names", nargs="*", metavar="ROW", help="only these rows")
     p.add_argument("--list", action="store_true", help="list the rows and stop")
+    p.add_argument("--counts", action="store_true", help="say how many rows hold each value, on which ranks, and stop")
     p.add_argument("--jobs", type=int, default=2, metavar="N", help="runs at a time (2)")
     args = p.parse_args()
 
@@ -47,6 +67,9 @@ def main():
         for name, row in chosen.items():
             print(name, differing(row))
         print("\n".join(counts(chosen)))
+        return 0
+    if args.counts:
+        print("\n".join(table(chosen) + counts(chosen)))
         return 0
     began = time.monotonic()
     passed = 0

@@ -6,7 +6,7 @@ import itertools
 import numpy as np
 import pytest
 
-from validation.lib.matrix import answers, axes, matrix_run, pairs, scene
+from validation.lib.matrix import answers, axes, matrix_main, matrix_run, pairs, scene
 
 SMALL = {"a": (1, 2, 3), "b": ("x", "y"), "c": (True, False), "d": (0, 1)}
 
@@ -61,6 +61,21 @@ def test_the_matrix_has_every_pair(rows):
     # each value of each axis is in some row: nothing is excluded as a whole
     for axis, values in axes.AXES.items():
         assert {row[axis] for row in running} == set(values)
+
+
+def test_the_table_counts_each_value_on_each_ranks(rows):
+    """Each row has one value of an axis: an axis' numbers add up to all rows that run, those of a line to its sum."""
+    running = [row for row in rows.values() if axes.refusal(row) is None]
+    heads, _, *lines = [[x.strip() for x in line.strip("|").split("|")] for line in matrix_main.table(rows)]
+    assert [tuple(x[:2]) for x in lines] == [(k, str(v)) for k, values in axes.AXES.items() for v in values]
+    for axis in axes.AXES:
+        assert sum(int(x[2]) for x in lines if x[0] == axis) == len(running) < len(rows)
+    for line in lines:
+        assert int(line[2]) == sum(map(int, line[3:])) > 0
+    at = heads.index("2+4")
+    one = next(x for x in lines if x[:2] == ["mesh", "skew"])
+    assert int(one[at]) == sum(r["mesh"] == "skew" and r["dem"] == 2 and r["cfd"] == 4 for r in running) > 0
+    assert [x[at] for x in lines if x[0] == "cfd" and x[1] != "4"] == ["0", "0"]
 
 
 def test_no_row_is_its_own_reference(rows):

@@ -19,4 +19,5 @@ def run(checks):
         checks.true(name, good, text if good else how)
         passed += good
     checks.equal("rows passed", passed, len(rows))
-    checks.note("; ".join(matrix_main.counts(rows)))
+    checks.note("; ".join(matrix_main.counts(rows)) + ". Rows that hold each value, by ranks, DEM + CFD:")
+    checks.note("\n".join(matrix_main.table(rows)))

@@ -3,6 +3,8 @@
 charges, carry more than half of the buoyant weight above, from the bottom up.
 """
 
+import warnings
+
 import numpy as np
 
 _SHARE = 0.5
@@ -27,11 +29,15 @@ def front(heights, stress, weight):
 
 
 def smoothed(rows, width=5):
-    """The median over so many times, of rows (times, slices): impacts come and go."""
+    """The median over so many times, of rows (times, slices): impacts come and go. What is nan at a time, as
+    the fluid's at the start, is left out of it."""
     rows = np.asarray(rows, dtype=float)
     half = width // 2
     padded = np.concatenate([rows[:1]] * half + [rows] + [rows[-1:]] * half)
-    return np.median(np.stack([padded[k:k + len(rows)] for k in range(2 * half + 1)]), axis=0)
+    windows = np.stack([padded[k:k + len(rows)] for k in range(2 * half + 1)])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)  # nothing but nan stays nan
+        return np.nanmedian(windows, axis=0)
 
 
 def boundaries(times, fronts, tops):

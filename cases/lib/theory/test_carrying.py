@@ -25,6 +25,9 @@ class CarryingTest(unittest.TestCase):
         rows = np.ones((9, 1))
         rows[4] = 1000
         self.assertTrue(np.all(carrying.smoothed(rows) == 1))
+        rows[0] = np.nan  # the fluid has no row at the start
+        found = carrying.smoothed(rows)
+        self.assertTrue(np.isfinite(found[1:]).all())
 
     def test_boundaries_are_for_good(self):
         times = np.arange(6.0)

@@ -84,6 +84,7 @@ LAMMPS_NS::FixSettlingProfile &fix(Host &host) { return *dynamic_cast<LAMMPS_NS:
 // at every height contacts, charges and walls carry the weight above; the walls take part of it
 TEST(FixSettlingProfile, aBedAtRestCarriesTheWeightAbove)
 {
+  if (test::processors() > 1) GTEST_SKIP() << "beds take long to come to rest; two see what one does, below";
   const Bed beds[] = {{"gran", "wall/gran", grains, 0.0036},
                       {"gran/lean", "wall/gran/lean", grains, 0.0036},
                       {"gran", "wall/gran", test::clumps(14)},

@@ -3,11 +3,12 @@
 #
 # Makes the project ready to run: installs the Debian packages that are missing
 # and builds both halves and their tests when a source is newer than the build;
-# with --programs what a run needs and no more; with --reports what its page, too. Silent when nothing is to be
+# with --programs what a run needs and no more; with --reports what its page, too;
+# with --docs the manual's tools alone. Silent when nothing is to be
 # done, else it shows how far it is. On a terminal it asks before it installs
 # with sudo, unless --yes is given. A sourced OpenFOAM environment is used as it is.
 #
-# Usage: cmake/setup.sh [--programs] [--reports] [--yes] [JOBS]
+# Usage: cmake/setup.sh [--programs] [--reports] [--docs] [--yes] [JOBS]
 set -euo pipefail
 
 what=tests ask=yes reports=
@@ -15,6 +16,7 @@ while :; do
     case ${1:-} in
         --programs) what=programs ;;
         --reports) reports=python3-jinja2 ;;
+        --docs) what=docs ;;
         --yes) ask=no ;;
         *) break ;;
     esac
@@ -92,10 +94,11 @@ building() {
 packages=(cmake g++ make liggghts libliggghts-dev openmpi-bin libopenmpi-dev
     libeigen3-dev zlib1g-dev nlohmann-json3-dev librandom123-dev packmol
     python3 python3-numpy python3-matplotlib python3-scipy python3-meshio)
-[ "$what" = programs ] ||
+[ "$what" != tests ] ||
     packages+=(libgtest-dev libbenchmark-dev valgrind python3-pytest python3-jinja2
         clang-format clang-tidy shellcheck python3-flake8)
 [ -z "$reports" ] || packages+=("$reports")
+[ "$what" != docs ] || packages=(python3-sphinx python3-myst-parser) flavour=none
 # the headers of the package come from its source, a compressed tar file
 [ "$flavour" != packaged ] || packages+=(openfoam libopenfoam bzip2 xz-utils)
 
@@ -130,6 +133,8 @@ if [ "${#missing[@]}" != 0 ]; then
         --no-install-recommends install "${missing[@]}" < /dev/null 2>&1 | installing "$apt_log" ||
         fail "cannot install ${missing[*]}: $(grep '^E:' "$apt_log" | tail -n 1)"
 fi
+
+[ "$what" != docs ] || exit 0
 
 # The line of a build's log that tells most: the first complaint of a program,
 # or CMake's own words for its error; else make's.

@@ -1,5 +1,5 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-"""OpenFOAM's environment and programs, and a small reader of its ascii fields."""
+"""OpenFOAM's environment and programs, and a small reader of its fields."""
 
 import glob
 import os
@@ -57,23 +57,41 @@ def times(case):
 
 
 def internal_field(path, count):
-    """The internal field of an ascii file: count rows of one or three numbers."""
+    """The internal field of a file: count rows of one or three numbers."""
     import numpy as np
-    with open(path, encoding="utf-8") as f:
-        content = f.read()
+    with open(path, "rb") as f:
+        raw = f.read()
+    if re.search(rb"^\s*format\s+binary;", raw[:2000], re.M):
+        found = _binary(path, raw)
+        if found is not None:
+            return found
+    content = raw.decode("utf-8", "replace")
     match = re.search(r"internalField\s+uniform\s+([^;]*);", content)
     if match:
         row = np.array([float(x) for x in match.group(1).strip("() ").split()])
         return np.tile(row, (count, 1))
     match = re.search(r"internalField\s+nonuniform\s+List<\w+>\s+(\d+)\s*\(", content)
     if not match:
-        raise CaseError(f"{path}: no internal field in ascii")
+        raise CaseError(f"{path}: no internal field")
     # a short list stands on one line
     end = re.compile(r"\)\s*;").search(content, match.end())
     body = content[match.end():end.start()].replace("(", " ").replace(")", " ").split() if end else []
     if not body or len(body) % int(match.group(1)):
         raise CaseError(f"{path}: is not whole")
     return np.array(body, dtype=float).reshape(int(match.group(1)), -1)
+
+
+def _binary(path, raw):
+    """The internal field of a binary file's bytes, as saved states are, (rows, numbers); None of a uniform one."""
+    import numpy as np
+    match = re.search(rb"internalField\s+nonuniform\s+List<(scalar|vector)>\s+(\d+)\s*\(", raw)
+    if not match:
+        return None
+    rows, each = int(match.group(2)), {b"scalar": 1, b"vector": 3}[match.group(1)]
+    body = raw[match.end():match.end() + 8 * rows * each]
+    if len(body) != 8 * rows * each:
+        raise CaseError(f"{path}: is not whole")
+    return np.frombuffer(body, dtype="<f8").reshape(rows, each)
 
 
 def cell_centres(mesh):

@@ -59,6 +59,17 @@ def test_stages_in_millimetres(drawn, tmp_path):
     assert "[cm]" in words(drawn[1])  # the unit of the file
 
 
+def test_a_bed_that_ended_before_its_ramp(tmp_path):
+    out = tmp_path / "CFD" / "postProcessing" / "inlet" / "0"
+    out.mkdir(parents=True)
+    (out / "surfaceFieldValue.dat").write_text("# t p U\n0.01 0.1 (0 0 0.002)\n0.02 0.1 (0 0 0.002)\n")
+    v = {"sphere_radius": 5e-4, "fluid_density": 10.0, "viscosity": 1.5e-3, "spheres": 1000, "density": 2000.0,
+         "gravity": 9.81, "size_x": 0.01, "size_y": 0.01, "hold": 0.05}
+    said = dict(beds.finish(str(tmp_path), v, CURVE, "a title"))
+    assert said["bed height"].endswith("the ramp was not reached")
+    assert (tmp_path / "bed.json").is_file() and not (tmp_path / "bed.png").exists()
+
+
 def test_beds_in_millimetres(drawn, tmp_path):
     u = np.linspace(0.002, 0.02, 50)
     v = {"sphere_radius": 5e-4, "fluid_density": 10.0, "viscosity": 1.5e-3}

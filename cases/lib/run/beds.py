@@ -65,7 +65,7 @@ def finish(folder, v, curve, title):
     uniform = 2 * curve["mean_height_m"][0]  # of a uniform bed with the same mean
     porosity = 1 - solid / uniform
     ramp = t > 0.5 * v["hold"]
-    umf = onset(u[ramp], drop[ramp], most)
+    umf = onset(u[ramp], drop[ramp], most) if ramp.any() else None
     beyond = ramp & (u > 1.2 * umf) if umf else np.zeros(len(u), dtype=bool)
     found = {"buoyant_weight_Pa": most, "height_at_rest_m": float(uniform), "porosity_at_rest": float(porosity),
              "u_mf_m_per_s": umf,
@@ -74,6 +74,8 @@ def finish(folder, v, curve, title):
     with open(os.path.join(folder, "bed.json"), "w", encoding="utf-8") as f:
         json.dump(found, f, indent=2)
         f.write("\n")
+    if not ramp.any():  # the run ended before the flow began to rise
+        return [("bed height", f"{1e3 * rest:.1f} mm; the ramp was not reached")]
     _draw(os.path.join(folder, "bed.png"), v, (u[ramp], drop[ramp], height[ramp]), found, title)
     over = found["fluidised_drop_over_weight"]
     return [("u_mf", f"{umf:.4g} m/s" if umf else "not reached"),

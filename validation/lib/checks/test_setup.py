@@ -85,6 +85,15 @@ def test_a_page_needs_its_template_engine(project):
     assert "install python3-jinja2" in (project.notes / "apt").read_text()
 
 
+def test_the_manual_needs_its_tools_alone(project):
+    assert project.setup("--docs") == [[], ["python3-sphinx", "python3-myst-parser"]]  # and nothing is built
+    project.setup()
+    assert project.setup("--docs")[0] == []
+    for words in ([], ["--programs"], ["--programs", "--reports"]):
+        os.utime(project.top / "exchange" / "source.cpp")
+        assert not {"python3-sphinx", "python3-myst-parser"} & set(project.setup(*words)[1])
+
+
 def test_checks_need_the_tests(project):
     (configure, build), packages = project.setup()
     assert "-DCLAYFOAM_TESTS=ON" in configure and "--target" not in build

@@ -17,8 +17,8 @@ def read(*path):
 
 def test_what_a_run_needs_is_what_the_package_needs():
     setup = re.search(r"^packages=\((.*?)\)", read("cmake", "setup.sh"), re.M | re.S).group(1).split()
-    building = {"cmake", "g++", "make", "libliggghts-dev", "libopenmpi-dev", "libeigen3-dev", "zlib1g-dev", "nlohmann-json3-dev",
-                "librandom123-dev"}
+    building = {"cmake", "g++", "make", "libliggghts-dev", "libopenmpi-dev", "libeigen3-dev", "zlib1g-dev",
+                "nlohmann-json3-dev", "librandom123-dev"}
     # the DEM half links LIGGGHTS's library, which the package finds by itself
     wanted = set(setup) - building - {"liggghts"}
     said = re.search(r'PROGRAMS_PACKAGE_DEPENDS "(.*?)"\)', read("cmake", "package.cmake"), re.S).group(1)

@@ -42,6 +42,7 @@ def test_how_they_are_tried():
         "its words", ("validation/run", "--no-setup", "linters", "--list"))
     assert trial("mpirun -np 2 liggghts-clay -in in.a : -np 4 clayFoam").where == "run 2 4 in.a"
     assert trial("mpirun -np 64 liggghts-clay -in in.a : -np 64 clayFoam").how == "excerpt"
+    assert trial("clang-format -i a.cpp").words == ("clang-format", "--dry-run", "a.cpp")  # changes nothing
     assert trial("cmake --preset debug && cmake --build build/debug").how == "excerpt"
 
 

@@ -20,6 +20,7 @@ const scalar h = 1e-3;
 // a particle in each cell of a column, as large as the fraction there wants
 class column
 {
+    const scalar thick_;
     const test::meshCase case_;
     volVectorField U_;
     dispersedParticles p_;
@@ -27,15 +28,22 @@ class column
 
 public:
 
-    column()
+    // of cells of that height, wide as many cells
+    explicit column
+    (
+        const scalar thick = h,
+        const label wide = across,
+        const label layers = high
+    )
     :
+        thick_(thick),
         case_
         (
             test::block
             (
-                {across, across, high},
+                {wide, wide, layers},
                 point(Zero),
-                point(across*h, across*h, high*h)
+                point(wide*h, wide*h, layers*thick)
             )
         ),
         U_
@@ -51,13 +59,16 @@ public:
 
     const cellWaves& waves() const { return waves_; }
 
-    // states of that fraction(place, number of the state), each half a cell
-    // further; how many of them end a window with a wave
+    // states of that fraction(place in cells, number of the state), in each of
+    // which the fastest particle crosses that many cells; the odd ones last
+    // that much longer. How many of them end a window with a wave
     label run
     (
         const std::function<scalar(const point&, label)>& fraction,
         const vector& velocity,
-        const label states = 8
+        const label states = 8,
+        const scalar crossing = 0.5,
+        const scalar longer = 1
     )
     {
         label found = 0;
@@ -66,14 +77,16 @@ public:
             p_.clearRows();
             forAll(p_.volume, i)
             {
+                const point& C = case_.mesh().C()[i];
                 p_.volume[i] =
-                    fraction(case_.mesh().C()[i]/h, k)*case_.mesh().V()[i];
+                    fraction(point(C.x()/h, C.y()/h, C.z()/thick_), k)
+                   *case_.mesh().V()[i];
                 p_.velocity[i] = velocity;
                 p_.owned[i] = true;
                 p_.append(i, 1);
                 p_.endRow(i);
             }
-            found += waves_.look(p_, U_, 1, 0.5);
+            found += waves_.look(p_, U_, k % 2 ? longer : 1, crossing);
         }
         return found;
     }
@@ -196,6 +209,54 @@ TEST(cellWaves, othersDoNotCount)
         0
     );
     EXPECT_EQ(c.waves().correlation(), 0);
+}
+
+
+// a state counts by the time it stands for: of a wave that is there and one
+// upside down, which would cancel, the one that lasts longer is seen
+TEST(cellWaves, statesCountByTheirTime)
+{
+    const auto turns = [](const point& x, label k)
+    {
+        return k % 2 ? wave(x, 2) : 0.6 - wave(x, 2);
+    };
+    column c;
+    EXPECT_EQ(c.run(turns, down), 0);
+    EXPECT_EQ(c.run(turns, down, 8, 0.5, 3), 1);
+    EXPECT_NEAR(c.waves().amplitude(), 0.5*0.05/0.3, 0.01);
+}
+
+
+// cells are counted by their thickness: flat ones are crossed sooner
+TEST(cellWaves, flatCellsAreCrossedSooner)
+{
+    const auto layers = [](const point& x, label) { return wave(x, 2); };
+    const scalar slender = std::cbrt(0.25)/0.25;
+    column flat(0.25*h), cubes;
+    EXPECT_EQ(flat.run(layers, down, 2, 2.1/slender), 1);
+    EXPECT_EQ(cubes.run(layers, 2*down, 2, 2.1/slender), 0);
+}
+
+
+// a wave so low that it does not matter, and one in so few cells that grains
+// at random may look alike
+TEST(cellWaves, lowWavesAndThoseOfFewCellsAreNone)
+{
+    column c;
+    EXPECT_EQ
+    (
+        c.run
+        (
+            [](const point& x, label) { return 0.24 + 0.2*wave(x, 2); }, down
+        ),
+        0
+    );
+    column few(h, 1, 10);
+    EXPECT_EQ
+    (
+        few.run([](const point& x, label) { return wave(x, 2); }, down), 0
+    );
+    EXPECT_LT(few.waves().correlation(), -0.8);
 }
 
 

@@ -27,7 +27,7 @@ OPENFOAM = {"ASAN_OPTIONS": OPTIONS["ASAN_OPTIONS"] + ":new_delete_type_mismatch
 # millions of short lists are made
 NO_LEAKS = {**OPTIONS, "ASAN_OPTIONS": "detect_leaks=0"}
 _OWN_TESTS = r"^(exchange|dem)\."
-_BROKEN_OFF = r"^exchange\.(Refused|Ends|decode)|^dem\.(refused|shutdown)"
+_BROKEN_OFF = r"^exchange\.(Refused|Ends|decode|wrappers)|^dem\.(refused|shutdown)"
 # valgrind and a sanitizer do not go together; the others run a half dozens of times, each run like the coupled one
 _LEFT_OUT = r"valgrind|damage_runs|^(features|input|ranks|refusals)$"
 _REPORT = re.compile(r"runtime error: .*|ERROR: (?:Address|Leak)Sanitizer.*|AddressSanitizer:DEADLYSIGNAL")

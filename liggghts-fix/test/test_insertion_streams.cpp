@@ -97,6 +97,7 @@ TEST(InsertionStreams, onOtherNumbersOfProcessors)
   for (size_t at = 1; at < saved.size(); at += width) alone.insert(alone.end(), {saved[at], 2147483646.});
   go_on_with_streams(host.lmp.get(), alone);
   const auto found = states(host);
+  ASSERT_EQ(found.size(), 1 + 4 * width);
   for (size_t at = 1; at < found.size(); at += width)
     for (size_t p = 1; p < width; p++) EXPECT_EQ(found[at + p], p == 1 ? 2147483646. : p - 1.);
 }

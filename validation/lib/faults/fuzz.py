@@ -28,7 +28,7 @@ def attempt(program, seconds, folder, execute):
     corpus = os.path.join(folder, "corpus")
     os.makedirs(corpus, exist_ok=True)
     done = execute([program, corpus, f"-max_total_time={seconds}", "-max_len=4096", "-print_final_stats=1",
-                            f"-artifact_prefix={folder}/"], 60 + 2 * seconds)
+                    f"-artifact_prefix={folder}/"], 60 + 2 * seconds)
     count = _DONE.search(done.output)
     return int(count.group(1)) if count else 0, "" if done.status == 0 and count else said(done.output)
 

@@ -122,7 +122,7 @@ BothTerms shakeHands(Half half, const std::string& myTerms) {
   std::string theirs;
   if (world.rank() == 0) theirs = swapped(myTerms, wire::tagTerms, forTerms);
   const bool dem = half == Half::dem;
-  const BothTerms both = settled(half, dem ? myTerms : theirs, dem ? theirs : myTerms);
+  BothTerms both = settled(half, dem ? myTerms : theirs, dem ? theirs : myTerms);
   setStage(Stage::coupled);
   return both;
 }

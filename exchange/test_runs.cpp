@@ -225,8 +225,10 @@ TEST(Ends, ByTheExitCodeAloneWhereMpirunSeesIt) {
                     as5 = "env -u OMPI_MCA_orte_launch PRTE_LAUNCHED=1 ",
                     none = "env -u OMPI_MCA_orte_launch -u PRTE_LAUNCHED ";
   for (const auto& launcher : {as4, as5, none}) {
-    const Outcome o = shell(std::string(MPIRUN) + " -np 1 " + launcher + DEM_HALF +
-                            " cfd:explained 1 : -np 1 " + launcher + CFD_HALF + " cfd:explained 1");
+    std::string line = std::string(MPIRUN) + " -np 1 ";
+    line.append(launcher).append(DEM_HALF " cfd:explained 1 : -np 1 ");
+    line.append(launcher).append(CFD_HALF " cfd:explained 1");
+    const Outcome o = shell(line);
     expectEnd(o, "no cheese at all");
     EXPECT_EQ(o.says("MPI_ABORT was invoked"), launcher == none) << launcher << o.text;
   }

@@ -66,7 +66,8 @@ struct CoulombScene {
   {
     law.cutoff = 0.012;
     for (int b = 0; b < side * side * side; b++) {
-      const double c[3] = {8e-3 * (b % side), 8e-3 * (b / side % side), 8e-3 * (b / side / side)};
+      const int layer = b / side / side;
+      const double c[3] = {8e-3 * (b % side), 8e-3 * (b / side % side), 8e-3 * layer};
       for (int s = 0; s < 14; s++)
         groups.add(c[0] + 1e-3 * (s % 4), c[1] + 1e-3 * (s / 4 % 4), c[2] + 1e-3 * (s % 2), s % 2 ? 4e-10 : -4e-10);
       groups.close(b, true);

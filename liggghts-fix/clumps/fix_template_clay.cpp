@@ -207,6 +207,7 @@ void FixTemplateClay::init_ptilist(int n, const bool, FixPropertyAtom *const)
 {
   const std::vector<int> &types = settings_.types;
   n_pti_max = n;
+  // an array of pointers is meant: NOLINTNEXTLINE(bugprone-sizeof-expression)
   pti_list = static_cast<ParticleToInsert **>(memory->smalloc(n * sizeof(ParticleToInsert *), "pti_list"));
   for (int i = 0; i < n; i++) pti_list[i] = new ClayToInsert(lmp, types);
 }

@@ -81,16 +81,27 @@ def _markdown(case):
     return lines + [x for n in case["notes"] for x in (n, "")]
 
 
+def _sections(path):
+    """What a page of results says, by case; nothing where there is none."""
+    try:
+        with open(path, encoding="utf-8") as f:
+            _, *parts = re.split(r"^## (.+)$", f.read(), flags=re.M)
+    except FileNotFoundError:
+        return {}
+    return {name: text.strip("\n") for name, text in zip(parts[::2], parts[1::2])}
+
+
 def record(folder, names, here, folders):
     """Writes each named case's last result into the README.md of its folder
-    (folders: {name: path}), and all stored ones into RESULTS.md of `here`."""
-    store, page = os.path.join(folder, "cases"), ["# Last results of every validation case", "",
-                                                  "The last run of each, written by `validation/run --record`.", ""]
+    (folders: {name: path}), and all stored ones into RESULTS.md of `here`, which keeps
+    what it says of others that there are."""
+    store, path = os.path.join(folder, "cases"), os.path.join(here, "RESULTS.md")
+    said = {name: text for name, text in _sections(path).items() if name in folders}
     for name in sorted(f[:-5] for f in os.listdir(store) if f.endswith(".json")):
         with open(os.path.join(store, name + ".json"), encoding="utf-8") as f:
             case = json.load(f)
         lines = _markdown(case)
-        page += [f"## {name}", "", case["title"] + ".", "", *lines]
+        said[name] = "\n".join([case["title"] + ".", "", *lines]).rstrip()
         if name in names and name in folders:
             readme = os.path.join(folders[name], "README.md")
             with open(readme, encoding="utf-8") as f:
@@ -99,5 +110,7 @@ def record(folder, names, here, folders):
             new = re.sub(re.escape(_BEGIN) + r".*" + re.escape(_END), lambda _: block, old, flags=re.S)
             with open(readme, "w", encoding="utf-8") as f:
                 f.write(new)
-    with open(os.path.join(here, "RESULTS.md"), "w", encoding="utf-8") as f:
-        f.write("\n".join(page).rstrip() + "\n")
+    with open(path, "w", encoding="utf-8") as f:
+        f.write("# Last results of every validation case\n\n"
+                "The last run of each, written by `validation/run --record`.\n")
+        f.writelines(f"\n## {name}\n\n{said[name]}\n" for name in sorted(said))

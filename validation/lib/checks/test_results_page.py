@@ -68,6 +68,15 @@ class PageTest(unittest.TestCase):
                 self.assertIn("## one", f.read())
             self.assertIn("<td>far</td>", shown)
             self.assertNotIn("rows passed; those that failed", shown)
+            # what the page says of others stays, but for those that are no more
+            with open(os.path.join(here, "RESULTS.md"), "a", encoding="utf-8") as f:
+                f.write("\n## kept\n\n| a | b |\n\n## gone\n\nold.\n")
+            results_page.record(folder, ["one"], here, {"one": os.path.join(here, "room", "one"), "kept": "elsewhere"})
+            with open(os.path.join(here, "RESULTS.md"), encoding="utf-8") as f:
+                text = f.read()
+            self.assertEqual(text.count("## one\n\na title.\n\n"), 1)
+            self.assertIn("\n\n## kept\n\n| a | b |\n\n## one", text)
+            self.assertNotIn("## gone", text)
             # another case is added to those stored; a whole run begins anew
             other = verdicts.Checks("two", lambda row: None)
             results_page.write(folder, [results_page.Result("b", other, 1.0)], keep=True)

@@ -5,9 +5,11 @@ import contextlib
 import ctypes
 import os
 import signal
+import threading
 
 ENDING = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM, signal.SIGUSR1)
 _PR_SET_PDEATHSIG = 1
+_REMINDED = 0.1  # [s]
 
 
 class Stopped(BaseException):
@@ -22,7 +24,10 @@ def heed():
     """From now on each of these signals raises Stopped, once; further ones are
     passed over, so that what has to be put in order is. SIGINT does so also where
     a shell has a background job ignore it; SIGHUP does not where nohup has."""
+    heard = threading.Event()
+
     def stop(number, _frame):
+        heard.set()
         for other in ENDING:
             if signal.getsignal(other) is stop:
                 signal.signal(other, lambda *_: None)
@@ -30,6 +35,24 @@ def heed():
     for number in ENDING:
         if not (number == signal.SIGHUP and signal.getsignal(number) == signal.SIG_IGN):
             signal.signal(number, stop)
+    _remind(heard)
+
+
+def _remind(heard):
+    """Python acts on a signal between two of its own steps: one that comes just before it waits in the system would
+    be acted on after that, however long it is. It is sent again until it is heard."""
+    read, write = os.pipe()
+    os.set_blocking(write, False)
+
+    def again():
+        number = os.read(read, 1)[0]
+        while number not in ENDING:
+            number = os.read(read, 1)[0]
+        while not heard.wait(_REMINDED):
+            signal.pthread_kill(threading.main_thread().ident, number)
+    with passed_over():  # the thread is sent none of them
+        threading.Thread(target=again, daemon=True).start()
+    signal.set_wakeup_fd(write, warn_on_full_buffer=False)
 
 
 @contextlib.contextmanager
@@ -47,6 +70,7 @@ def die_with_parent(parent=None):
     parent = os.getpid() if parent is None else parent
 
     def ask():
+        signal.set_wakeup_fd(-1)  # what the child is sent is not for this process
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
         for number in ENDING:  # as they are where a program is started by itself
             if number != signal.SIGHUP:

@@ -25,6 +25,8 @@ WAITS = textwrap.dedent("""
     program.run(work, "cases/x")
     """)
 
+LIMIT = 10 * max(1.0, os.getloadavg()[0] / (os.cpu_count() or 1))  # [s]
+
 
 def start(code, **more):
     return subprocess.Popen([sys.executable, "-c", code], cwd=TOP, text=True, stdout=subprocess.PIPE,
@@ -40,9 +42,29 @@ def test_a_signal_ends_it_in_order(number, ignored):
     assert p.stdout.readline() == "ready\n"
     p.send_signal(number)
     p.send_signal(number)  # what has to be put in order is
-    out, err = p.communicate(timeout=10)
+    out, err = p.communicate(timeout=LIMIT)
     assert (p.returncode, out) == (128 + number, "in order\n")
     assert err == f"cases/x: ended by {number.name}; what was finished is kept\n"
+
+
+def test_a_signal_is_not_lost_ahead_of_a_wait():
+    code = textwrap.dedent("""
+        import ctypes
+        from cases.lib.case import program
+        def work():
+            print("ready", flush=True)
+            list(map(ctypes.CDLL(None).sleep, [60, 60]))  # two waits without a step of Python's between them
+        program.run(work, "cases/x")
+        """)
+    p = start(code)
+    assert p.stdout.readline() == "ready\n"
+    time.sleep(0.3)
+    p.send_signal(signal.SIGTERM)
+    try:
+        assert p.wait(LIMIT) == 128 + signal.SIGTERM
+    finally:
+        p.kill()
+        p.communicate()
 
 
 def test_nohup_is_heeded():
@@ -68,7 +90,7 @@ def test_children_die_with_it():
     child = int(p.stdout.readline())
     p.kill()
     p.communicate()
-    end = time.monotonic() + 10
+    end = time.monotonic() + LIMIT
     while os.path.isdir(f"/proc/{child}") and time.monotonic() < end:
         time.sleep(0.02)
     assert not os.path.isdir(f"/proc/{child}")

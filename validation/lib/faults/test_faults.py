@@ -111,6 +111,18 @@ def test_nothing_is_left_when_validation_is_ended(tmp_path):
         assert not victim.runs(child)
 
 
+def test_a_run_heeds_what_this_process_ignores():
+    code = "import signal; print(*(int(signal.getsignal(n)) for n in (signal.SIGHUP, signal.SIGTERM, signal.SIGUSR1)))"
+    old = {n: signal.signal(n, signal.SIG_IGN) for n in (signal.SIGHUP, signal.SIGTERM)}
+    try:
+        said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True,
+                              preexec_fn=victim.as_started_by_itself((signal.SIGUSR1,))).stdout
+    finally:
+        for number, how in old.items():
+            signal.signal(number, how)
+    assert said.split() == [str(int(how)) for how in (signal.SIG_DFL, signal.SIG_DFL, signal.SIG_IGN)]
+
+
 def test_what_is_left_is_found():
     run = object.__new__(victim.Run)
     run.process = subprocess.Popen(["sh", "-c", "sleep 60 & sleep 60"])

@@ -52,18 +52,29 @@ def descendants(root):
     return {pid: of[pid][1] for pid in mine - {root} if pid in of}
 
 
+def as_started_by_itself(ignore=()):
+    """For preexec_fn: signals are as a shell gives them, also where this process was told to ignore some (nohup)."""
+    ends = stops.die_with_parent()
+
+    def begin():
+        ends()
+        signal.signal(signal.SIGHUP, signal.SIG_DFL)
+        for number in ignore:
+            signal.signal(number, signal.SIG_IGN)
+    return begin
+
+
 class Run:
     """cases/run with some words in a folder of its own, output in a file."""
 
     def __init__(self, name, folder, *words, env=None, ignore=()):
         self.folder = folder
-        ends = stops.die_with_parent()
         self.output = tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace")
         self.process = subprocess.Popen(
             [os.path.join(TOP, "cases", "run"), "--no-setup", name, "--out", folder, "--no-pictures", *words],
             stdin=subprocess.DEVNULL, stdout=self.output, stderr=subprocess.STDOUT, start_new_session=True,
             env={**os.environ, **(env or {})},
-            preexec_fn=lambda: [ends(), *(signal.signal(n, signal.SIG_IGN) for n in ignore)])
+            preexec_fn=as_started_by_itself(ignore))
         self.known = {}
 
     def said(self):

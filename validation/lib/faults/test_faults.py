@@ -7,6 +7,8 @@ import subprocess
 import sys
 import time
 
+import pytest
+
 from cases.lib.case.casefile import TOP
 from validation.lib.faults import inputs, kills, resumed, tries, victim
 
@@ -92,6 +94,17 @@ def test_tries_are_kept_and_those_of_other_programs_are_not(tmp_path):
         f.write(json.dumps({"version": "2", "what": "b", "wrong": ""})[:-3])  # it was killed here
     assert tries.Tries(path, "2").outcome("a", attempt) == ""
     assert len(count) == 3
+
+
+def test_shares_are_all_of_it(tmp_path):
+    assert tries.parted(["kills", "disk:2/3"]) == {"kills": (1, 1), "disk": (2, 3)}
+    for bad in ("kills:0/3", "kills:4/3", "kills:1", "kills:a/b"):
+        with pytest.raises(ValueError):
+            tries.parted([bad])
+    shares = [tries.Tries(str(tmp_path / "tries"), "1", (n, 3)) for n in (1, 2, 3)]
+    assert sorted(t for share in shares for t in share.mine(range(20))) == list(range(20))
+    assert len({share.place("a") for share in shares}) == 3
+    assert tries.Tries(str(tmp_path / "tries"), "1").place("a") == "a"
 
 
 def test_nothing_is_left_when_validation_is_ended(tmp_path):

@@ -20,11 +20,24 @@ def version():
     return hashlib.sha256(repr(parts).encode()).hexdigest()[:16]
 
 
-class Tries:
-    """Outcomes by what was tried, kept in a file; those of other versions count for nothing."""
+def parted(words):
+    """{part: (number, of how many shares)} of words as `kills`, (1, 1), or `kills:2/3`."""
+    found = {}
+    for word in words:
+        name, _, share = word.partition(":")
+        number, _, count = share.partition("/") if share else ("1", "", "1")
+        if not (number.isdecimal() and count.isdecimal() and 1 <= int(number) <= int(count)):
+            raise ValueError(f"--part {word}: a share is as {name}:2/3, the second of three")
+        found[name] = int(number), int(count)
+    return found
 
-    def __init__(self, path, of):
-        self.path, self.of, self.known = path, of, {}
+
+class Tries:
+    """Outcomes by what was tried, kept in a file; those of other versions count for nothing. share: (number, of how
+    many), where several processes do a table side by side."""
+
+    def __init__(self, path, of, share=(1, 1)):
+        self.path, self.of, self.share, self.known = path, of, share, {}
         try:
             with open(path, encoding="utf-8") as f:
                 for line in f:
@@ -35,6 +48,15 @@ class Tries:
                         self.known[row["what"]] = row["wrong"]
         except (OSError, ValueError, KeyError, TypeError):
             pass  # what cannot be read is tried again
+
+    def mine(self, trials):
+        """Those of its share."""
+        number, count = self.share
+        return list(trials)[number - 1::count]
+
+    def place(self, folder):
+        """A folder that no other share uses."""
+        return folder if self.share[1] == 1 else f"{folder}-{self.share[0]}"
 
     def outcome(self, what, attempt):
         """What was wrong with a try, "" for nothing: as it was found before, else by attempt(). What

@@ -125,7 +125,7 @@ class Run:
         """Waits for the end; (exit code or None, seconds)."""
         began = time.monotonic()
         while self.look() and time.monotonic() - began < limit * slowdown():
-            time.sleep(0.02)
+            time.sleep(0.05)
         return self.process.poll(), time.monotonic() - began
 
     def left(self, seconds=10.0):

@@ -67,4 +67,5 @@ def run(checks):
         plain = theirs if plain is None else plain
         checks.at_most(f"duct, {name}: difference of U [rms over rms]", _apart(ours, theirs), 1e-9)
         if name != "Newtonian":
-            checks.at_least(f"duct, {name}: difference of pimpleFoam's U from the Newtonian one", _apart(theirs, plain), 1e-5)
+            checks.at_least(f"duct, {name}: difference of pimpleFoam's U from the Newtonian one", _apart(theirs, plain),
+                            1e-5)

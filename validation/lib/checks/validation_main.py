@@ -31,7 +31,7 @@ def main():
     p.add_argument("--list", action="store_true", help="list the checks and stop")
     p.add_argument("--all", action="store_true", help="the long checks, too")
     p.add_argument("--part", action="append", default=[], metavar="PART",
-                   help="of a check that has parts (faults), only this one; its README names them, and how to do a share of one")
+                   help="of a check that has parts (faults), only this one; its README names them, and tells of shares")
     p.add_argument("--record", action="store_true",
                    help="write each case's table into its README.md, and the page validation/RESULTS.md")
     p.add_argument("--json", metavar="FILE", help="write the results as JSON, too")

@@ -244,7 +244,8 @@ def _messages(checks, known, long):
     if "No tests were found" in tested.output:
         checks.skipped("damaged messages", "its tests are not built")
         return
-    checks.true("damaged messages: exchange.decode, damage_runs, fuzz", tested.status == 0, tested.output.strip()[-200:])
+    checks.true("damaged messages: exchange.decode, damage_runs, fuzz", tested.status == 0,
+                tested.output.strip()[-200:])
     if not long:
         return
     every, wrong = _all_messages(), []

@@ -37,19 +37,28 @@ def runs(pid):
     return found is not None and found[2] not in "ZX"
 
 
+def children(pid):
+    """The children of a process, of whichever of its threads."""
+    found = []
+    try:
+        for thread in os.listdir(f"/proc/{pid}/task"):
+            with open(f"/proc/{pid}/task/{thread}/children", encoding="utf-8") as f:
+                found += map(int, f.read().split())
+    except OSError:
+        pass  # it has ended
+    return found
+
+
 def descendants(root):
     """The processes that descend from one, {pid: name}."""
-    of = {}
-    for entry in filter(str.isdigit, os.listdir("/proc")):
-        found = stat(entry)
-        if found:
-            of[int(entry)] = found
-    mine, grown = {root}, True
-    while grown:
-        more = {pid for pid, (parent, _, _) in of.items() if parent in mine} - mine
-        mine |= more
-        grown = bool(more)
-    return {pid: of[pid][1] for pid in mine - {root} if pid in of}
+    found, new = {}, [root]
+    while new:
+        new = [c for pid in new for c in children(pid)]
+        for pid in new:
+            told = stat(pid)
+            if told:
+                found[pid] = told[1]
+    return found
 
 
 def as_started_by_itself(ignore=()):

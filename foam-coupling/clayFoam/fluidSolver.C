@@ -15,6 +15,18 @@ static Switch adjusts(const dictionary& control)
     return control.lookupOrDefault<Switch>("adjustTimeStep", true);
 }
 
+//- The step that a case asks for, where it leaves open that steps adapt [s]
+static scalar longest(const dictionary& control)
+{
+    return min
+    (
+        control.lookupOrDefault<scalar>("maxDeltaT", GREAT),
+        control.found("adjustTimeStep")
+      ? GREAT
+      : control.get<scalar>("deltaT")
+    );
+}
+
 static scalar maxCo(const dictionary& control)
 {
     return control.lookupOrDefault<scalar>("maxCo", 0.5);
@@ -43,6 +55,25 @@ static tmp<GeometricField<Type, fvPatchField, volMesh>> scratch
         mesh,
         dimensioned<Type>(dims, Zero)
     );
+}
+
+//- Refuses a field of other dimensions than the equations take it for
+template<class Field>
+static void checkDimensions
+(
+    const Field& field,
+    const dimensionSet& dims,
+    const char* what
+)
+{
+    if (field.dimensions() != dims)
+    {
+        FatalErrorInFunction
+            << field.time().timeName() << '/' << field.name()
+            << ": dimensions " << field.dimensions() << " are not those of "
+            << what << ", " << dims << "; give " << field.name()
+            << " in these" << exit(FatalError);
+    }
 }
 
 } // End namespace Foam
@@ -89,7 +120,7 @@ Foam::label Foam::fluidSolver::subSteps(const scalar interval) const
     {
         dt = min
         (
-            dict.lookupOrDefault<scalar>("maxDeltaT", GREAT),
+            longest(dict),
             maxCo(dict)/max(courantRate(), VSMALL)
         );
     }
@@ -259,6 +290,9 @@ Foam::fluidSolver::fluidSolver(Time& runTime, fvMesh& mesh)
     gradp_(scratch<vector>(mesh, "pressureGrad", dimAcceleration)),
     gradU_(scratch<tensor>(mesh, "velocityGrad", dimless/dimTime))
 {
+    checkDimensions(p_, dimPressure/dimDensity, "pressure over density");
+    checkDimensions(U_, dimVelocity, "a velocity");
+
     const word ddtScheme(mesh_.ddtScheme("ddt(U)"));
     if (ddtScheme != "Euler")
     {
@@ -315,6 +349,11 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
         faces_.take(phi_, startPhi_);
     }
 
+    // what the particles feel is the mean over the interval
+    bool several = false;
+    vectorField gradP;
+    scalarField slope;
+
     // a flow that grows within the interval gets shorter steps at once
     scalar left = interval, time = 0;
     // all ranks alike: late() and the number of steps are collective
@@ -366,6 +405,14 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
             messageStream::level = coupling.properties().verbose() ? level : 0;
             step(coupling, min(dt, interval)/dt);
             messageStream::level = level;
+            several = several || n > 1;
+            if (several)
+            {
+                gradP.setSize(mesh_.nCells(), Zero);
+                gradP += dt/interval*gradP_.primitiveField();
+                slope.setSize(mesh_.nFaces(), Zero);
+                slope += dt/interval*slope_;
+            }
         }
         coupling.record();
 
@@ -378,6 +425,13 @@ bool Foam::fluidSolver::march(particleCoupling& coupling)
         // all ranks alike
         n = n > 1 ? subSteps(left) : 0;
         writeDue = runTime_.writeTime() || writeDue;
+    }
+    // all ranks alike: the number of steps
+    if (several)
+    {
+        gradP_.primitiveFieldRef() = gradP;
+        coupling.setPressureGradient(gradP_);
+        slope_ = slope;
     }
     quiet_->solved
     (

@@ -4,6 +4,7 @@
 
 #include "IOstreams.H"
 #include "SolverPerformance.H"
+#include "fileOperation.H"
 #include "foamVersion.H"
 #include "vector.H"
 
@@ -60,6 +61,22 @@ extern "C" void noteStop(int signal)
         ::_exit(128 + signal);
     }
     stopSignal = signal;
+}
+
+
+//- Ends OpenFOAM's access to files while there is MPI: a handler (collated)
+//  gives back its communicator. From v2012 on it is taken by nullptr
+template<class None>
+static auto endFiles(int) -> decltype(fileHandler(None()), void())
+{
+    fileHandler(None());
+}
+
+template<class None>
+static void endFiles(long)
+{
+    autoPtr<fileOperation> none;
+    fileHandler(none);
 }
 
 
@@ -217,6 +234,7 @@ int Foam::startUp::guard(const std::function<void()>& run)
         endBoth(error.what());
     }
 
+    endFiles<std::nullptr_t>(0);
     MPI_Finalize();
     return status;
 }

@@ -17,17 +17,19 @@
 namespace Foam
 {
 
-//- A positive property of the fluid
-static scalar property
-(
-    const dictionary& dict,
-    const word& name,
-    const dimensionSet& dims
-)
+//- The fluid's density [kg/m3]
+static scalar density(const dictionary& dict)
 {
+    const word name("rho");
+    if (!dict.found(name))
+    {
+        FatalIOErrorInFunction(dict)
+            << name << " is missing: the fluid's density [kg/m3], for water "
+            << name << " 1000;" << exit(FatalIOError);
+    }
     return numberAbove
     (
-        dict, name, dimensionedScalar(name, dims, dict).value(), 0
+        dict, name, dimensionedScalar(name, dimDensity, dict).value(), 0
     );
 }
 
@@ -94,7 +96,7 @@ Foam::particleCoupling::particleCoupling
     mesh_(U.mesh()),
     law_(transportProperties),
     nu_(law_.nu(0)),
-    rho_(property(transportProperties, "rho", dimDensity)),
+    rho_(density(transportProperties)),
     properties_(mesh_.time()),
     mapping_(voidFractionModel::New(properties_, mesh_)),
     kept_(properties_.keepMapping()),

@@ -405,3 +405,43 @@ TEST(WriteFields, DragSumsUpToWhatTheParticlesGet) {
     EXPECT_NEAR(answered[3], 1 - 8 * pi / 6 * 1e-9 / 1e-6, 1e-3);
   }
 }
+
+namespace {
+
+/// Velocity of one sphere after a stream of 1 m/s that was at rest has started at once: drag is nothing,
+/// so it has what the pressure gave, rhoF/rhoP of the fluid's velocity.
+double impelled(const std::string& name, const std::string& control, int& steps) {
+  CoupledRun run(name);
+  run.box(
+      "x1 0.01; y1 0.01; z1 0.04; nx 1; ny 1; nz 8; sideType patch; bottomType patch; topType patch;"
+      "sideU slip; bottomU fixedValue; topU zeroGradient; topP fixedValue; nu 1e-9; U0 (0 0 1);");
+  run.edit("0/U", "{ type $bottomU; }", "{ type $bottomU; value uniform $U0; }");
+  run.edit("0/U", "internalField   uniform $U0", "internalField   uniform (0 0 0)");
+  run.edit("system/controlDict", "adjustTimeStep  $adjust;", control);
+  run.dem("hi", "0.01,0.01,0.04").dem("from", "0.004,0.004,0.02").dem("to", "0.006,0.006,0.022");
+  run.dem("radius", 1e-4).dem("step", 1e-4).dem("interval", 10).dem("steps", 30);
+  run.properties("dragModel Stokes; forceModels (pressureGradient);");
+  EXPECT_EQ(run.meshAndRun(), 0) << run.log();
+  steps = run.cfd()["cfd_steps"];
+  return run.lastVelocity();
+}
+
+}  // namespace
+
+// An impulse of the pressure reaches the particles whatever step of the interval it falls in
+TEST(PressureGradient, IsTheMeanOverTheStepsOfAnInterval) {
+  int steps = 0;
+  EXPECT_NEAR(impelled("impelled", "adjustTimeStep no;", steps), rhoF / 2600, 2e-3);
+  EXPECT_EQ(steps, 3);
+  EXPECT_NEAR(impelled("impelled-in-steps", "deltaT 2e-4; adjustTimeStep no;", steps), rhoF / 2600, 2e-3);
+  EXPECT_EQ(steps, 15);
+}
+
+// A case that does not say whether steps adapt gets no longer ones than it asks for
+TEST(TimeStep, IsNoLongerThanDeltaTWhereTheCaseDoesNotSayThatItAdapts) {
+  int steps = 0;
+  impelled("deltaT-alone", "deltaT 2.5e-4; maxCo 1e3;", steps);
+  EXPECT_EQ(steps, 12);
+  impelled("deltaT-adapts", "deltaT 2.5e-4; maxCo 1e3; adjustTimeStep yes;", steps);
+  EXPECT_EQ(steps, 3);
+}

@@ -90,6 +90,34 @@ TEST(Solution, NamesAMissingSolver) {
   EXPECT_TRUE(run.says("solvers has no UFinal; add UFinal { $U; relTol 0; }")) << run.log();
 }
 
+// p is over the density: one in Pa would be taken for a thousand times its value
+TEST(Fields, OfOtherDimensionsAreNamed) {
+  auto run = smallColumn("dimensions");
+  run.edit("0/p", "[0 2 -2 0 0 0 0]", "[1 -1 -2 0 0 0 0]");
+  ASSERT_NE(run.meshAndRun(), 0);
+  EXPECT_TRUE(run.says("0/p: dimensions [1 -1 -2 0 0 0 0] are not those of pressure over density,"
+                       " [0 2 -2 0 0 0 0]; give p in these"))
+      << run.log();
+}
+
+TEST(Fluid, NamesAMissingDensity) {
+  auto run = smallColumn("density");
+  run.edit("constant/transportProperties", "rho             $rho;", "#remove rho");
+  ASSERT_NE(run.meshAndRun(), 0);
+  EXPECT_TRUE(run.says("rho is missing: the fluid's density [kg/m3], for water rho 1000;"))
+      << run.log();
+}
+
+// Its threads and its communicator end before MPI does
+TEST(Ranks, TheCollatedFormatEndsInOrder) {
+  auto run = smallColumn("collated");
+  run.edit("system/controlDict", "adjustTimeStep",
+           "OptimisationSwitches { fileHandler collated; }\nadjustTimeStep");
+  run.ranks(1, 2);
+  EXPECT_EQ(run.meshAndRun(), 0) << run.log();
+  EXPECT_FALSE(run.says("after MPI_FINALIZE")) << run.log();
+}
+
 TEST(Unread, EntriesAndFieldsAreSaid) {
   auto run = smallColumn("unread");
   run.edit("system/fvSolution", "nCorrectors         3;", "nCorrectors 3; nNonOrthoCorrectors 1;");

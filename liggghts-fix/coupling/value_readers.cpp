@@ -68,28 +68,23 @@ struct Variables {
   int n;
   char **names;
   char ***texts;
-  int *counts;
 };
-template <int Variable::*n, char **Variable::*names, char ***Variable::*texts, int *Variable::*counts>
+template <int Variable::*n, char **Variable::*names, char ***Variable::*texts>
 struct Inside {
-  friend Variables inside(const Variable &v) { return {v.*n, v.*names, v.*texts, v.*counts}; }
+  friend Variables inside(const Variable &v) { return {v.*n, v.*names, v.*texts}; }
 };
 Variables inside(const Variable &);
-template struct Inside<&Variable::nvar, &Variable::names, &Variable::data, &Variable::num>;
+template struct Inside<&Variable::nvar, &Variable::names, &Variable::data>;
 
 namespace {
 
-// names of the variables, and all that they stand for
-std::vector<std::pair<std::string, std::string>> formulas(const Variable &variable)
+// names and formulas of the variables that have one; of a loop's there is no text
+std::vector<std::pair<std::string, std::string>> formulas(Variable &variable)
 {
   const Variables v = inside(variable);
   std::vector<std::pair<std::string, std::string>> all;
-  for (int i = 0; i < v.n; i++) {
-    std::string text;
-    for (int k = 0; v.texts[i] && k < v.counts[i]; k++)
-      if (v.texts[i][k]) text += std::string(" ") + v.texts[i][k];
-    all.push_back({v.names[i], text});
-  }
+  for (int i = 0; i < v.n; i++)
+    if (variable.equalstyle(i) || variable.atomstyle(i)) all.push_back({v.names[i], v.texts[i][0]});
   return all;
 }
 

@@ -240,6 +240,22 @@ TEST(CoupledOutput, voidFractionCrossesWhereItIsReadOnly)
   EXPECT_TRUE(reads(answers("variable", "variable v atom f_cpl[1]*2\n")));
 }
 
+// loops, lists, words and the environment's have no formula; those behind them are read
+TEST(CoupledOutput, scriptsWithVariablesOfAnyStyle)
+{
+  BesideStandIn run("variables", 1);
+  EXPECT_TRUE(run.run(opening() + spheres() +
+                          "variable i loop 3\nvariable j loop 2 7 pad\nvariable n index 5 10 f_cpl[1]\n"
+                          "variable w string f_cpl[1]\nvariable e getenv HOME\nvariable u uloop 4\n"
+                          "variable f equal v_i*2\n"
+                          "fix cpl all couple/foam every 5 contact_limit no watch no\n"
+                          "label again\nrun 5\nnext i\njump SELF again\n",
+                      "K=1e-4"))
+      << run.log();
+  EXPECT_EQ(run.told()["answers"].dump().find("voidFraction"), std::string::npos);
+  EXPECT_EQ(run.told()["exchanges"].size(), 6u);
+}
+
 // fix ave/atom reads in steps in which no output is due
 TEST(CoupledOutput, valuesAreThereWithinSteps)
 {

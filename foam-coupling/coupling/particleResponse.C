@@ -11,7 +11,8 @@ Foam::particleResponse::answer Foam::particleResponse::foresee
     const particle& q,
     const scalar T,
     const scalar Tlast,
-    const scalar part
+    const scalar part,
+    const scalar kept
 )
 {
     const scalar mass = q.mass + q.added;
@@ -48,7 +49,7 @@ Foam::particleResponse::answer Foam::particleResponse::foresee
 
     return
     {
-        c*(a*q.velocity + before + hByK*q.other) + (1 - c)*q.mean
+        c*(a*q.velocity + before + hByK*q.other) + (1 - c)*kept*q.mean
       + part*(hByK*q.load - h*q.own - before),
         part*h,
         part*hByK,
@@ -164,8 +165,8 @@ void Foam::particleResponse::foresee
     forAll(particles, i)
     {
         const particle& q = particles[i];
-        const answer m = foresee(q, T, Tlast, inMomentum);
-        const answer c = foresee(q, T, Tlast, inContinuity);
+        const answer m = foresee(q, T, Tlast, inMomentum, kept);
+        const answer c = foresee(q, T, Tlast, inContinuity, 1);
         const scalar V = p.volume[i];
 
         const scalar inertia = q.added/T;

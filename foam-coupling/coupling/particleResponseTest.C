@@ -8,6 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
+#include <unsupported/Eigen/MatrixFunctions>
 
 #include <cmath>
 #include <initializer_list>
@@ -58,7 +59,7 @@ vector marched
 
 
 //- What a particle does in truth
-enum class truth {free, plug, held};
+enum class truth {free, plug, held, sprung};
 
 //- Where the fluid's velocity is free, or tied to the particles
 enum class velocityIs {across, along};
@@ -69,11 +70,12 @@ struct oneCell
     scalar phi;     // solid fraction
     scalar ratio;   // of densities
     scalar added;   // added mass over that of the fluid displaced
+    scalar spring;  // (omega T)^2 of those on springs
 };
 
 
-//- State: U, v0, mean velocity, impulse, other force, grad p, debt
-constexpr int size = 7;
+//- State: U, v0, mean velocity, impulse, other force, grad p, debt, place
+constexpr int size = 8;
 
 Eigen::Matrix<double, size, 1> interval
 (
@@ -83,7 +85,8 @@ Eigen::Matrix<double, size, 1> interval
     const velocityIs where,
     const bool touched,
     const scalar inMomentum,
-    const scalar pay
+    const scalar pay,
+    const scalar kept
 )
 {
     const scalar n = 1 - c.phi, m = c.ratio*c.phi, V = c.phi;
@@ -97,9 +100,9 @@ Eigen::Matrix<double, size, 1> interval
     q.other = vector(s[4], 0, 0);
     q.touched = touched;
     q.added = M;
-    const auto a = particleResponse::foresee(q, 1, 1, inMomentum);
+    const auto a = particleResponse::foresee(q, 1, 1, inMomentum, kept);
     const auto b =
-        particleResponse::foresee(q, 1, 1, particleResponse::inContinuity);
+        particleResponse::foresee(q, 1, 1, particleResponse::inContinuity, 1);
 
     // n (U - U0) = -(1 - V) P + K (va - U) + M dva + debt, and
     // n U + V vb = 0 or P = 0
@@ -118,9 +121,21 @@ Eigen::Matrix<double, size, 1> interval
     const scalar foreseen = a.b.x() + a.s*U - a.sByK*V*P;
     const scalar change = a.c.x() + a.g*U - a.gByK*V*P;
 
-    // the truth: with its own mass, with five times that, or not at all
+    // the truth: with its own mass, with five times that, not at all, or on a
+    // spring from where it is at rest
     scalar mean = 0, end = 0;
-    if (what != truth::held)
+    if (what == truth::sprung)
+    {
+        Eigen::Matrix3d rate;
+        rate << -c.x, -c.spring, c.x*(U - V*P/K), 1, 0, 0, 0, 0, 0;
+        const Eigen::Vector3d after
+        (
+            Eigen::Matrix3d(rate.exp())*Eigen::Vector3d(s[1], s[7], 1)
+        );
+        end = after[0];
+        mean = after[1] - s[7];
+    }
+    else if (what != truth::held)
     {
         const scalar x = what == truth::plug ? c.x/5 : c.x;
         const scalar part = -std::expm1(-x)/x;
@@ -134,7 +149,7 @@ Eigen::Matrix<double, size, 1> interval
 
     Eigen::Matrix<double, size, 1> next;
     next << U, end, mean, received, m*(end - s[1]) - received, P,
-        s[6] - received - given;
+        s[6] - received - given, s[7] + mean;
     return next;
 }
 
@@ -147,7 +162,8 @@ scalar growth
     const velocityIs where,
     const bool touched,
     const scalar inMomentum = particleResponse::inMomentum,
-    const scalar pay = particleResponse::paid
+    const scalar pay = particleResponse::paid,
+    const scalar kept = particleResponse::kept
 )
 {
     Eigen::Matrix<double, size, size> map;
@@ -156,10 +172,12 @@ scalar growth
         map.col(i) = interval
         (
             Eigen::Matrix<double, size, 1>::Unit(i),
-            c, what, where, touched, inMomentum, touched ? pay : 1
+            c, what, where, touched, inMomentum, touched ? pay : 1, kept
         );
     }
-    return map.eigenvalues().cwiseAbs().maxCoeff();
+    // a place matters to springs alone
+    const int n = what == truth::sprung ? size : size - 1;
+    return map.topLeftCorner(n, n).eigenvalues().cwiseAbs().maxCoeff();
 }
 
 
@@ -174,7 +192,7 @@ scalar worst(const Function& of)
     for (const scalar added : {0.0, 0.5, 2.0})
     for (const velocityIs where : {velocityIs::across, velocityIs::along})
     {
-        const oneCell c{std::pow(10, decade), phi, ratio, added};
+        const oneCell c{std::pow(10, decade), phi, ratio, added, 0};
         largest = std::max(largest, of(c, where));
     }
     return largest;
@@ -189,7 +207,7 @@ TEST(ParticleResponse, aFreeOneIsForeseenExactly)
     for (const scalar K : {0.01, 1.0, 30.0})
     {
         const auto q = particleOf(K, 1.3);
-        const auto a = particleResponse::foresee(q, 0.7, 0.7, 0.4);
+        const auto a = particleResponse::foresee(q, 0.7, 0.7, 0.4, 1);
         const vector v(marched(q, U, vector(q.other + q.load), 0.7));
         EXPECT_NEAR(mag(a.b + a.s*U - v), 0, 1e-6) << "K " << K;
         EXPECT_NEAR(a.sByK*K, a.s, 1e-12);
@@ -202,7 +220,7 @@ TEST(ParticleResponse, withoutDragOnlyForcesAct)
     for (const scalar K : {0.0, 1e-9})
     {
         const auto q = particleOf(K, 2);
-        const auto a = particleResponse::foresee(q, 0.5, 0.5, 0.4);
+        const auto a = particleResponse::foresee(q, 0.5, 0.5, 0.4, 1);
         EXPECT_NEAR(a.s, 0, 1e-9);
         EXPECT_NEAR(a.sByK, 0.5*0.5/2, 1e-9);
         const vector v(q.velocity + 0.5*0.5*(q.other + q.load)/q.mass);
@@ -218,8 +236,8 @@ TEST(ParticleResponse, theSeriesMeetsTheExponential)
     {
         auto q = particleOf(0.9999e-4, 1), p = particleOf(1.0001e-4, 1);
         q.touched = p.touched = touched;
-        const auto a = particleResponse::foresee(q, 1, 1, 0.4);
-        const auto b = particleResponse::foresee(p, 1, 1, 0.4);
+        const auto a = particleResponse::foresee(q, 1, 1, 0.4, 1);
+        const auto b = particleResponse::foresee(p, 1, 1, 0.4, 1);
         EXPECT_NEAR(mag(a.b - b.b), 0, 1e-7);
         EXPECT_NEAR(b.s/a.s, 1.0002, 1e-6);
         EXPECT_NEAR(b.sByK/a.sByK, 1, 1e-6);
@@ -240,7 +258,7 @@ TEST(ParticleResponse, aTouchedOneGoesOnAsItDid)
         q.other = -(K*U + q.load);
         for (const scalar part : {0.4, 1.0})
         {
-            const auto a = particleResponse::foresee(q, 0.3, 0.3, part);
+            const auto a = particleResponse::foresee(q, 0.3, 0.3, part, 1);
             EXPECT_NEAR(mag(a.b + a.s*U), 0, 1e-12) << "K " << K;
         }
     }
@@ -258,7 +276,7 @@ TEST(ParticleResponse, aTouchedOnesMomentaryVelocityCountsWhereDragIsSlow)
         q.touched = true;
         q.load = Zero;
         const vector pull(q.mean + q.impulse/(q.K*T));
-        const auto a = particleResponse::foresee(q, T, T, 0.4);
+        const auto a = particleResponse::foresee(q, T, T, 0.4, 1);
         const vector wanted
         (
             x > 1
@@ -276,9 +294,9 @@ TEST(ParticleResponse, itsOwnDisturbanceMovesItNot)
     {
         auto q = particleOf(3, 1);
         q.touched = touched;
-        const auto a = particleResponse::foresee(q, 0.3, 0.3, 0.4);
+        const auto a = particleResponse::foresee(q, 0.3, 0.3, 0.4, 1);
         q.own = vector(0.25, 0, 0);
-        const auto b = particleResponse::foresee(q, 0.3, 0.3, 0.4);
+        const auto b = particleResponse::foresee(q, 0.3, 0.3, 0.4, 1);
         // the cells' velocity is higher by its own part
         EXPECT_NEAR(mag(b.b + b.s*q.own - a.b), 0, 1e-12);
     }
@@ -306,17 +324,49 @@ TEST(ParticleResponse, stableForTouchedOnesWhateverTheyDo)
 }
 
 
+// whatever their stiffness, from weak ones on that creep back over many
+// intervals; the springs have no damping of their own
+TEST(ParticleResponse, stableForThoseOnSprings)
+{
+    const auto largest =
+        [](const velocityIs where, scalar x, const scalar added, const scalar k)
+    {
+        scalar found = 0;
+        for (; x < 1.1e5; x *= std::sqrt(10))
+        for (scalar spring = -3; spring < 7.1; spring += 0.5)
+        for (const scalar phi : {0.1, 0.5, 0.68})
+        for (const scalar ratio : {1.0, 2.65, 10.0})
+        {
+            const scalar g = growth
+            (
+                {x, phi, ratio, added, std::pow(10, spring)},
+                truth::sprung, where, true,
+                particleResponse::inMomentum, particleResponse::paid, k
+            );
+            found = std::max(found, g);
+        }
+        return found;
+    };
+    const scalar kept = particleResponse::kept;
+    EXPECT_LE(largest(velocityIs::across, 1e-3, 0, kept), 1 + 1e-6);
+    EXPECT_LE(largest(velocityIs::along, 1, 0, kept), 1 + 1e-6);
+    EXPECT_LE(largest(velocityIs::across, 1e-3, 0.5, kept), 1.01);
+    // taken to go on as they did
+    EXPECT_GT(largest(velocityIs::across, 1e-3, 0, 1), 1.1);
+}
+
+
 TEST(ParticleResponse, takenForFreeHeldOnesBurst)
 {
     const scalar g =
-        growth({50, 0.6, 2.65, 0}, truth::held, velocityIs::across, false);
+        growth({50, 0.6, 2.65, 0, 0}, truth::held, velocityIs::across, false);
     EXPECT_GT(g, 5);
 }
 
 
 TEST(ParticleResponse, itsConstantsMatter)
 {
-    const oneCell stiff{1e4, 0.6, 2.65, 0};
+    const oneCell stiff{1e4, 0.6, 2.65, 0, 0};
 
     // more than half of a free one's answer in the equation of momentum
     EXPECT_GT(growth(stiff, truth::held, velocityIs::across, true, 0.6), 1.5);

@@ -6,17 +6,40 @@
 
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
 
+Foam::scalar Foam::particleResponse::stiffness
+(
+    const particle& q,
+    const scalar T
+)
+{
+    return q.K*T/(q.mass + q.added);
+}
+
+
+Foam::particleResponse::guess Foam::particleResponse::inMomentum()
+{
+    return {0.4, 0.7, 1};
+}
+
+
+Foam::particleResponse::guess
+Foam::particleResponse::inContinuity(const scalar x)
+{
+    const scalar e = std::exp(-x);
+    return {1 + 3*e, 1, 1 - 0.5*e};
+}
+
+
 Foam::particleResponse::answer Foam::particleResponse::foresee
 (
     const particle& q,
     const scalar T,
     const scalar Tlast,
-    const scalar part,
-    const scalar kept
+    const guess& of
 )
 {
     const scalar mass = q.mass + q.added;
-    const scalar x = q.K*T/mass;
+    const scalar x = stiffness(q, T);
 
     // 1 - a and 1 - exp(-x), and both over K, all finite for K -> 0
     const scalar a =
@@ -45,17 +68,17 @@ Foam::particleResponse::answer Foam::particleResponse::foresee
     pull += q.added/q.mass*(pull + q.other);
 
     const vector before(h*q.mean + hByK*pull);
-    const scalar c = 1/(1 + x);
+    const scalar c = of.momentary/(1 + x);
 
     return
     {
-        c*(a*q.velocity + before + hByK*q.other) + (1 - c)*kept*q.mean
-      + part*(hByK*q.load - h*q.own - before),
-        part*h,
-        part*hByK,
-        part*(gByK*(q.load - pull) - g*(q.own + q.mean)),
-        part*g,
-        part*gByK
+        c*(a*q.velocity + before + hByK*q.other) + (1 - c)*of.kept*q.mean
+      + of.part*(hByK*q.load - h*q.own - before),
+        of.part*h,
+        of.part*hByK,
+        of.part*(gByK*(q.load - pull) - g*(q.own + q.mean)),
+        of.part*g,
+        of.part*gByK
     };
 }
 
@@ -165,8 +188,9 @@ void Foam::particleResponse::foresee
     forAll(particles, i)
     {
         const particle& q = particles[i];
-        const answer m = foresee(q, T, Tlast, inMomentum, kept);
-        const answer c = foresee(q, T, Tlast, inContinuity, 1);
+        const answer m = foresee(q, T, Tlast, inMomentum());
+        const answer c =
+            foresee(q, T, Tlast, inContinuity(stiffness(q, T)));
         const scalar V = p.volume[i];
 
         const scalar inertia = q.added/T;

@@ -96,6 +96,17 @@ def test_tries_are_kept_and_those_of_other_programs_are_not(tmp_path):
     assert len(count) == 3
 
 
+def test_what_tries_are_compared_with_is_kept(tmp_path):
+    made = []
+
+    def make():
+        made.append([[0.1, len(made)]])
+        return made[-1], "bad" if len(made) == 1 else ""
+    for of, number, says in (("1", 0, "bad"), ("1", 1, ""), ("1", 1, ""), ("2", 2, ""), ("1", 1, "")):
+        assert tries.Tries(str(tmp_path / "tries"), of).kept("whole", make) == ([[0.1, number]], says)
+    assert len(made) == 3
+
+
 def test_shares_are_all_of_it(tmp_path):
     assert tries.parted(["kills", "disk:2/3"]) == {"kills": (1, 1), "disk": (2, 3)}
     for bad in ("kills:0/3", "kills:4/3", "kills:1", "kills:a/b"):

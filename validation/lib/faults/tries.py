@@ -6,6 +6,7 @@ import json
 import os
 
 from cases.lib.run import runkey
+from cases.lib.case import files
 from cases.lib.case.casefile import TOP
 
 
@@ -57,6 +58,21 @@ class Tries:
     def place(self, folder):
         """A folder that no other share uses."""
         return folder if self.share[1] == 1 else f"{folder}-{self.share[0]}"
+
+    def kept(self, name, make):
+        """A result of these programs that tries are compared with, and what was wrong, "" for nothing: kept in a file
+        where nothing was, else make()'s."""
+        path = os.path.join(os.path.dirname(self.path), f"{name}-{self.of}.json")
+        try:
+            with open(path, encoding="utf-8") as f:
+                return json.load(f), ""
+        except (OSError, ValueError):
+            pass  # it is made anew
+        found, wrong = make()
+        if not wrong:
+            with files.writing(path) as f:
+                json.dump(found, f)
+        return found, wrong
 
     def outcome(self, what, attempt):
         """What was wrong with a try, "" for nothing: as it was found before, else by attempt(). What

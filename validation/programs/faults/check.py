@@ -52,7 +52,8 @@ def _continue(checks, known, long):
     for t in known.mine(_in_turn(trials)):
         ranks = t["ranks"]
         if ranks not in wanted:
-            wanted[ranks], why = resumed.whole(known.place(os.path.join(_PLACE, "whole")), t)
+            wanted[ranks], why = known.kept(f"whole-{ranks[0]}-{ranks[1]}", lambda t=t: resumed.whole(
+                known.place(os.path.join(_PLACE, "whole")), t))
             checks.true(f"a run on {ranks[0]} + {ranks[1]} ranks that nothing is done to", wanted[ranks], why)
         if not wanted[ranks]:
             continue

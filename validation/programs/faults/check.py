@@ -276,7 +276,8 @@ def _all_messages():
 
 def _damaged(first, end):
     done = _damage_runs(f"{first}:{end}", 60 * (end - first) * victim.slowdown())
-    return "" if done.status == 0 else done.output.strip()[-300:]
+    # what GoogleTest says of the first that fails, ahead of its own sums
+    return "" if done.status == 0 else f"exit code {done.status}: {done.output.partition(': Failure')[2].strip()[:600]}"
 
 
 def _fuzz(checks, known, long):

@@ -408,12 +408,13 @@ TEST(WriteFields, DragSumsUpToWhatTheParticlesGet) {
 
 namespace {
 
-/// Velocity of one sphere after a stream of 1 m/s that was at rest has started at once: drag is nothing,
-/// so it has what the pressure gave, rhoF/rhoP of the fluid's velocity.
+/// Velocity of one sphere after a stream of 1 m/s that was at rest has started at once: drag is
+/// nothing, so it has what the pressure gave, rhoF/rhoP of the fluid's velocity.
 double impelled(const std::string& name, const std::string& control, int& steps) {
   CoupledRun run(name);
   run.box(
-      "x1 0.01; y1 0.01; z1 0.04; nx 1; ny 1; nz 8; sideType patch; bottomType patch; topType patch;"
+      "x1 0.01; y1 0.01; z1 0.04; nx 1; ny 1; nz 8; sideType patch; bottomType patch; topType "
+      "patch;"
       "sideU slip; bottomU fixedValue; topU zeroGradient; topP fixedValue; nu 1e-9; U0 (0 0 1);");
   run.edit("0/U", "{ type $bottomU; }", "{ type $bottomU; value uniform $U0; }");
   run.edit("0/U", "internalField   uniform $U0", "internalField   uniform (0 0 0)");
@@ -433,7 +434,8 @@ TEST(PressureGradient, IsTheMeanOverTheStepsOfAnInterval) {
   int steps = 0;
   EXPECT_NEAR(impelled("impelled", "adjustTimeStep no;", steps), rhoF / 2600, 2e-3);
   EXPECT_EQ(steps, 3);
-  EXPECT_NEAR(impelled("impelled-in-steps", "deltaT 2e-4; adjustTimeStep no;", steps), rhoF / 2600, 2e-3);
+  EXPECT_NEAR(impelled("impelled-in-steps", "deltaT 2e-4; adjustTimeStep no;", steps), rhoF / 2600,
+              2e-3);
   EXPECT_EQ(steps, 15);
 }
 

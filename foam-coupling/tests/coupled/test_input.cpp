@@ -95,8 +95,9 @@ TEST(Fields, OfOtherDimensionsAreNamed) {
   auto run = smallColumn("dimensions");
   run.edit("0/p", "[0 2 -2 0 0 0 0]", "[1 -1 -2 0 0 0 0]");
   ASSERT_NE(run.meshAndRun(), 0);
-  EXPECT_TRUE(run.says("0/p: dimensions [1 -1 -2 0 0 0 0] are not those of pressure over density,"
-                       " [0 2 -2 0 0 0 0]; give p in these"))
+  EXPECT_TRUE(
+      run.says("0/p: dimensions [1 -1 -2 0 0 0 0] are not those of pressure over density,"
+               " [0 2 -2 0 0 0 0]; give p in these"))
       << run.log();
 }
 

@@ -9,7 +9,7 @@
 #include "comm.h"
 #include "contacts/granular_script.h"
 #include "coupling/run_checks.h"
-#include "coupling/to_ranks.h"
+#include "clumps/to_ranks.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_multisphere.h"

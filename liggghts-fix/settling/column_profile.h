@@ -91,9 +91,10 @@ class Clusters {
   explicit Clusters(int members);
   void join(int a, int b);
   int size(int member) { return size_[root(member)]; }
+  /// The member that stands for its cluster.
+  int root(int member);
 
  private:
-  int root(int member);
   std::vector<int> up_, size_;
 };
 

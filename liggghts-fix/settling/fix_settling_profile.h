@@ -47,9 +47,10 @@ class FixSettlingProfile : public Fix {
     double x[3], v[3], mass, axis[3];
     double has_axis;
   };
-  // two bodies: whether they touch, and the energy of their charges [J]
+  // two bodies: whether they touch, and the energy of their charges [J]; who knows it
   struct Link {
     double first, second, touch, energy;
+    int by;
   };
 
   void parse(int narg, char **arg, bool &append);
@@ -66,8 +67,7 @@ class FixSettlingProfile : public Fix {
   double friction(int itype, int jtype) const;
   void link(const Body &a, const Body &b, double touch, double energy);
   std::vector<Link> pooled_links();
-  template <class Row>
-  std::vector<Row> gather(const std::vector<Row> &mine, bool to_all);
+  std::vector<Body> asked_for(const std::vector<double> &keys);
   void write_rows();
 
   FILE *file_;
@@ -82,8 +82,10 @@ class FixSettlingProfile : public Fix {
   ScriptGravity gravity_;
   std::unique_ptr<clay::ColumnProfile> profile_;
   std::vector<Body> clumps_, loose_;  // this processor's
-  std::vector<Body> seen_;            // clumps of all
+  std::vector<Body> seen_;            // clumps of which it has a sphere, ghosts too
   std::unordered_map<int, int> place_;
+  std::vector<Body> named_;  // bodies whose keys name it
+  std::unordered_map<long, int> named_place_;
   std::vector<Link> links_;
   bigint measured_, written_;
   double clusters_[2];  // largest, in touch and bound

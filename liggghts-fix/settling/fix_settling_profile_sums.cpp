@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 #include "atom.h"
+#include "clumps/to_ranks.h"
 #include "comm.h"
 #include "contacts/granular_script.h"
 #include "coulomb/pair_clump.h"
@@ -22,6 +24,7 @@
 #include "settling/column_script.h"
 #include "settling/fix_settling_profile.h"
 #include "settling/pair_listener.h"
+#include "settling/shared_clusters.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -42,28 +45,10 @@ void FixSettlingProfile::measure()
   add_contacts();
   add_charges();
   add_walls();
+  add_clusters();
   std::vector<double> &sums = profile_->sums();
   MPI_Reduce(comm->me == 0 ? MPI_IN_PLACE : sums.data(), sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE,
              MPI_SUM, 0, world);
-  add_clusters();
-}
-
-/* ----------------------------------------------------------------------
-   rows of all processors, on the first one or on all
-------------------------------------------------------------------------- */
-
-template <class Row>
-std::vector<Row> FixSettlingProfile::gather(const std::vector<Row> &mine, bool to_all)
-{
-  if (comm->nprocs == 1) return mine;
-  const int bytes = static_cast<int>(mine.size() * sizeof(Row));
-  std::vector<int> counts(comm->nprocs), from(comm->nprocs + 1, 0);
-  MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-  for (int p = 0; p < comm->nprocs; p++) from[p + 1] = from[p] + counts[p];
-  std::vector<Row> all(to_all || comm->me == 0 ? from.back() / sizeof(Row) : 0);
-  if (to_all) MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), from.data(), MPI_BYTE, world);
-  else MPI_Gatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), from.data(), MPI_BYTE, 0, world);
-  return all;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -92,11 +77,53 @@ void FixSettlingProfile::find_bodies()
     if (!multisphere_ || multisphere_->belongs_to(i) < 0) loose_.push_back(body_of(i));
 }
 
+/* ----------------------------------------------------------------------
+   each body is known by the processor that its key names: those that have a
+   sphere of another's clump, or a link to a body, ask there
+------------------------------------------------------------------------- */
+
 void FixSettlingProfile::share_bodies()
 {
-  seen_ = gather(clumps_, true);
+  std::vector<std::vector<Body>> told(comm->nprocs);
+  for (const std::vector<Body> *bodies : {&clumps_, &loose_})
+    for (const Body &b : *bodies) told[clay::rankNamedBy(std::lround(b.key), comm->nprocs)].push_back(b);
+  named_ = clay::sendToRanks(told, world);
+  named_place_.clear();
+  for (std::size_t k = 0; k < named_.size(); k++) named_place_[std::lround(named_[k].key)] = static_cast<int>(k);
+
+  seen_ = clumps_;
   place_.clear();
   for (std::size_t k = 0; k < seen_.size(); k++) place_[static_cast<int>(seen_[k].key)] = static_cast<int>(k);
+  std::vector<double> others;
+  std::unordered_set<int> wanted;
+  for (int i = 0; multisphere_ && i < atom->nlocal + atom->nghost; i++) {
+    const int tag = multisphere_->belongs_to(i);
+    if (tag >= 0 && !place_.count(tag) && wanted.insert(tag).second) others.push_back(tag);
+  }
+  for (const Body &b : asked_for(others)) {
+    place_[static_cast<int>(b.key)] = static_cast<int>(seen_.size());
+    seen_.push_back(b);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   bodies of these keys, in any order, without those that are no more
+------------------------------------------------------------------------- */
+
+std::vector<FixSettlingProfile::Body> FixSettlingProfile::asked_for(const std::vector<double> &keys)
+{
+  struct Asked {
+    double key;
+    int by;
+  };
+  std::vector<std::vector<Asked>> asked(comm->nprocs);
+  for (double key : keys) asked[clay::rankNamedBy(std::lround(key), comm->nprocs)].push_back({key, comm->me});
+  std::vector<std::vector<Body>> answers(comm->nprocs);
+  for (const Asked &a : clay::sendToRanks(asked, world)) {
+    const auto found = named_place_.find(std::lround(a.key));
+    if (found != named_place_.end()) answers[a.by].push_back(named_[found->second]);
+  }
+  return clay::sendToRanks(answers, world);
 }
 
 /* ----------------------------------------------------------------------
@@ -161,7 +188,7 @@ void FixSettlingProfile::add_loads()
 
 void FixSettlingProfile::link(const Body &a, const Body &b, double touch, double energy)
 {
-  links_.push_back({std::min(a.key, b.key), std::max(a.key, b.key), touch, energy});
+  links_.push_back({std::min(a.key, b.key), std::max(a.key, b.key), touch, energy, comm->me});
 }
 
 double FixSettlingProfile::friction(int itype, int jtype) const
@@ -225,48 +252,62 @@ void FixSettlingProfile::add_walls()
 }
 
 /* ----------------------------------------------------------------------
-   each pair of bodies once, with all of its energy
+   at the processor that the first body's key names: each pair of bodies, once
+   for each processor that knows of it, with all of its energy
 ------------------------------------------------------------------------- */
 
 std::vector<FixSettlingProfile::Link> FixSettlingProfile::pooled_links()
 {
-  const auto pool = [](std::vector<Link> links) {
-    const auto before = [](const Link &a, const Link &b) {
-      return a.first != b.first ? a.first < b.first : a.second < b.second;
-    };
-    std::stable_sort(links.begin(), links.end(), before);
-    std::size_t n = 0;
-    for (const Link &one : links) {
-      if (n && !before(links[n - 1], one)) {
-        links[n - 1].touch = std::max(links[n - 1].touch, one.touch);
-        links[n - 1].energy += one.energy;
-      } else links[n++] = one;
-    }
-    links.resize(n);
-    return links;
+  const auto before = [](const Link &a, const Link &b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
   };
-  return pool(gather(pool(links_), false));
+  const auto pool = [&](std::vector<Link> &links) {
+    std::stable_sort(links.begin(), links.end(), before);
+    for (std::size_t from = 0, to = 0; from < links.size(); from = to) {
+      Link all = links[from];
+      for (to = from + 1; to < links.size() && !before(all, links[to]); to++) {
+        all.touch = std::max(all.touch, links[to].touch);
+        all.energy += links[to].energy;
+      }
+      for (std::size_t k = from; k < to; k++) {
+        links[k].touch = all.touch;
+        links[k].energy = all.energy;
+      }
+    }
+  };
+  const auto same = [&](const Link &a, const Link &b) { return !before(a, b) && a.by == b.by; };
+
+  pool(links_);
+  links_.erase(std::unique(links_.begin(), links_.end(), same), links_.end());
+  std::vector<std::vector<Link>> told(comm->nprocs);
+  for (const Link &one : links_) told[clay::rankNamedBy(std::lround(one.first), comm->nprocs)].push_back(one);
+  std::vector<Link> links = clay::sendToRanks(told, world);
+  pool(links);
+  return links;
 }
 
 /* ----------------------------------------------------------------------
-   on the first processor
+   contacts and the sizes of clusters, where the bodies' keys name
 ------------------------------------------------------------------------- */
 
 void FixSettlingProfile::add_clusters()
 {
-  std::vector<Body> all = gather(loose_, false);
   const std::vector<Link> links = pooled_links();
-  clusters_[0] = clusters_[1] = 0.0;
-  if (comm->me != 0) return;
-  all.insert(all.end(), seen_.begin(), seen_.end());
-  std::unordered_map<long, int> member;
-  for (std::size_t k = 0; k < all.size(); k++) member[std::lround(all[k].key)] = static_cast<int>(k);
+  std::vector<double> others;
+  std::unordered_set<long> wanted;
+  for (const Link &one : links)
+    if (wanted.insert(std::lround(one.second)).second) others.push_back(one.second);
+  std::unordered_map<long, Body> second;
+  for (const Body &b : asked_for(others)) second[std::lround(b.key)] = b;
 
-  const int n = static_cast<int>(all.size());
-  clay::Clusters touching(n), bound(n);
-  for (const Link &one : links) {
-    const int i = member.at(std::lround(one.first)), j = member.at(std::lround(one.second));
-    const Body &a = all[i], &b = all[j];
+  struct Joined {
+    double first, second;
+    int touching;
+  };
+  std::vector<std::vector<Joined>> told(comm->nprocs);
+  for (std::size_t k = 0; k < links.size(); k++) {
+    const Link &one = links[k];
+    const Body &a = named_[named_place_.at(std::lround(one.first))], &b = second.at(std::lround(one.second));
     double v2 = 0.0, apart[3];
     for (int d = 0; d < 3; d++) {
       v2 += (a.v[d] - b.v[d]) * (a.v[d] - b.v[d]);
@@ -274,17 +315,31 @@ void FixSettlingProfile::add_clusters()
     }
     domain->minimum_image(apart);
     const bool held = one.energy < 0.0 && one.energy + 0.5 * v2 * a.mass * b.mass / (a.mass + b.mass) < 0.0;
-    if (one.touch > 0.0 || held) bound.join(i, j);
-    if (one.touch == 0.0) continue;
-    touching.join(i, j);
+    if (one.touch > 0.0 || held) told[one.by].push_back({one.first, one.second, one.touch > 0.0});
+    const bool again = k > 0 && links[k - 1].first == one.first && links[k - 1].second == one.second;
+    if (one.touch == 0.0 || again) continue;
     profile_->addAt(Profile::CONTACTS, a.x[2], 1.0);
     profile_->addAt(Profile::CONTACTS, b.x[2], 1.0);
     if (a.has_axis && b.has_axis) profile_->addAt(clay::meeting(a.axis, b.axis, apart), 0.5 * (a.x[2] + b.x[2]), 1.0);
   }
-  for (int k = 0; k < n; k++) {
-    profile_->addAt(Profile::TOUCHING, all[k].x[2], touching.size(k));
-    profile_->addAt(Profile::BOUND, all[k].x[2], bound.size(k));
-    clusters_[0] = std::max<double>(clusters_[0], touching.size(k));
-    clusters_[1] = std::max<double>(clusters_[1], bound.size(k));
+
+  // joined where they were seen, since neighbours are known there
+  std::vector<std::pair<long, long>> touching, bound;
+  for (const Joined &j : clay::sendToRanks(told, world)) {
+    bound.push_back({std::lround(j.first), std::lround(j.second)});
+    if (j.touching) touching.push_back(bound.back());
   }
+  const std::unordered_map<long, int> sizes[2] = {clay::clusterSizes(touching, world),
+                                                  clay::clusterSizes(bound, world)};
+  const Profile::Sum sums[2] = {Profile::TOUCHING, Profile::BOUND};
+  for (int kind = 0; kind < 2; kind++) {
+    clusters_[kind] = 0.0;
+    for (const Body &b : named_) {
+      const auto found = sizes[kind].find(std::lround(b.key));
+      const int size = found == sizes[kind].end() ? 1 : found->second;
+      profile_->addAt(sums[kind], b.x[2], size);
+      clusters_[kind] = std::max<double>(clusters_[kind], size);
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, clusters_, 2, MPI_DOUBLE, MPI_MAX, world);
 }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "host.h"
+#include "settling/shared_clusters.h"
 #include "settling/fix_settling_profile.h"
 #include "update.h"
 
@@ -310,4 +311,34 @@ TEST(FixSettlingProfileParallel, twoProcessorsSeeWhatOneDoes)
       else EXPECT_NEAR(x, y, 2e-6 * largest + 1e-300) << column.first << ' ' << k;
     }
   }
+}
+
+// chains along which each processor knows every n-th link, and of which many know one link: they are one cluster
+TEST(SharedClusters, reachOverProcessors)
+{
+  int me, ranks;
+  MPI_Comm_rank(MPI_COMM_WORLD, &me);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  std::vector<std::pair<long, long>> links;
+  const auto chain = [&](long from, long to, long step) {
+    int n = 0;
+    for (long k = from; k < to; k += step)
+      if (n++ % ranks == me) links.push_back({k, k + step});
+  };
+  chain(0, 40, 1);               // 41 clumps
+  chain(-30, -10, 4);            // 6 spheres: -30 ... -10
+  chain(100, 107, 7);            // a pair
+  links.push_back({200, -200});  // known by all
+  const std::unordered_map<long, int> mine = clay::clusterSizes(links, MPI_COMM_WORLD);
+
+  int found = 0;
+  for (const auto &one : mine) {
+    ASSERT_EQ(clay::rankNamedBy(one.first, ranks), me);
+    const long key = one.first;
+    const int size = key >= 0 && key <= 40 ? 41 : key < 0 && key >= -30 ? 6 : 2;
+    EXPECT_EQ(one.second, size) << key;
+    found++;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &found, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+  EXPECT_EQ(found, 41 + 6 + 2 + 2);
 }

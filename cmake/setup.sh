@@ -96,7 +96,8 @@ packages=(cmake g++ make liggghts libliggghts-dev openmpi-bin libopenmpi-dev
     python3 python3-numpy python3-matplotlib python3-scipy python3-meshio)
 [ "$what" != tests ] ||
     packages+=(libgtest-dev libbenchmark-dev valgrind python3-pytest python3-jinja2
-        clang-format clang-tidy shellcheck python3-flake8)
+        clang-format clang-tidy shellcheck python3-flake8
+        chromium python3-sphinx python3-myst-parser)
 [ -z "$reports" ] || packages+=("$reports")
 [ "$what" != docs ] || packages=(python3-sphinx python3-myst-parser) flavour=none
 # the headers of the package come from its source, a compressed tar file

@@ -65,7 +65,7 @@ extern "C" void noteStop(int signal)
 
 
 //- Ends OpenFOAM's access to files while there is MPI: a handler (collated)
-//  gives back its communicator. From v2012 on it is taken by nullptr
+//  gives back its communicator. Taken by nullptr where a version allows it
 template<class None>
 static auto endFiles(int) -> decltype(fileHandler(None()), void())
 {

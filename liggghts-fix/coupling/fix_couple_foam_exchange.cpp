@@ -180,6 +180,8 @@ void FixCoupleFoam::tell_motions()
   std::vector<clay::BodyMotion> motions(bodies_->n_body());
   for (size_t b = 0; b < motions.size(); b++) {
     motions[b].known = bodies_->take_motion(b, motions[b].displacement.data(), motions[b].change.data());
+    motions[b].spheres = bodies_->data().nrigid(b);
+    for (int k = 0; k < 3; k++) motions[b].velocity[k] = bodies_->velocity(b)[k];
     for (int k = 0; k < 3; k++) motions[b].lift[k] = bodies_->hydrostatic(b)[k] / bodies_->body_mass(b);
   }
   // LIGGGHTS goes by the groups of one of a body's spheres

@@ -128,12 +128,16 @@ void tell_body_motion(const std::vector<BodySphere> &list, const std::vector<Bod
       if (interval.nearest) interval.nearest(displacement);
       std::array<double, 3> mean;
       slot.recall(interval, b.groups, mean);
+      // the turning is that of now
+      for (int k = 0; k < 3; k++) displacement[k] += interval.time * (slot.velocity[k] - b.velocity[k]);
       slot.known(interval, displacement, b.change.data(), b.lift.data(), odd[list[n].body]);
     } else slot.unknown();
   }
-  for (std::size_t n = 0; n < list.size(); n++)
-    if (bodies[list[n].body].known && interval.time > 0.)
-      message[Field::touched][first + n] = odd[list[n].body].touched();
+  for (std::size_t n = 0; n < list.size(); n++) {
+    const BodyMotion &b = bodies[list[n].body];
+    if (b.known && interval.time > 0.)
+      message[Field::touched][first + n] = b.spheres > 1 || odd[list[n].body].touched();
+  }
 }
 
 }  // namespace clay

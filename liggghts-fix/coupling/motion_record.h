@@ -30,8 +30,10 @@ struct BodyMotion {
   bool known = false;                    ///< it was there at the last exchange
   std::array<double, 3> displacement{};  ///< of its centre of mass [m]
   std::array<double, 3> change{};        ///< of that one's velocity [m/s]
+  std::array<double, 3> velocity{};      ///< of it now [m/s]
   std::array<double, 3> lift{};          ///< of the hydrostatic pressure, by its mass [m/s2]
   int groups = 1;                        ///< bits of the groups by which gravity acts on it
+  int spheres = 1;                       ///< that it has, on all processors
 };
 
 /// Puts mean velocity, other forces than the fluid's and whether anything but gravity
@@ -42,7 +44,9 @@ void tell_motion(const std::vector<int> &list, const SphereArrays &spheres, doub
                  const Interval &interval, Particles &message);
 
 /// The same for the spheres of bodies, which stand in the message from place `first`
-/// on: they move with the centre of mass, and what touches the body touches each.
+/// on: they move with the centre of mass and turn as they do now, and what touches the
+/// body touches each. Where a body has several, each is held by the others, in whose
+/// cells the fluid may move otherwise: it counts as touched, whatever touches the body.
 void tell_body_motion(const std::vector<BodySphere> &list, const std::vector<BodyMotion> &bodies,
                       const Interval &interval, int first, Particles &message);
 

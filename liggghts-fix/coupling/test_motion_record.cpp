@@ -226,18 +226,19 @@ Particles of_bodies()
 
 }  // namespace
 
-TEST(TellBodyMotion, spheresMoveWithTheCentreOfMass)
+TEST(TellBodyMotion, spheresMoveWithTheCentreOfMassAndTurn)
 {
   Particles message = of_bodies();
   // both as under gravity and the fluid's impulse, 0.8 N s on 4 kg
   std::vector<BodyMotion> bodies(2);
-  bodies[0] = {true, {0., 0., 3e-3}, {0., 0., 0.2 - g * T}};
-  bodies[1] = {true, {1e-3, 0., 0.}, {0., 0., -g * T}};
+  bodies[0] = {true, {0., 0., 3e-3}, {0., 0., 0.2 - g * T}, {0., 0., 1.}};
+  bodies[1] = {true, {1e-3, 0., 0.}, {0., 0., -g * T}, {0., 0., -0.5}};
   tell_body_motion(two_bodies, bodies, interval(), 1, message);
   EXPECT_EQ(message[Field::touched][0], 7.);  // the free sphere's is left alone
   for (int i = 1; i < 4; i++) EXPECT_EQ(message[Field::touched][i], 0.) << i;
-  EXPECT_DOUBLE_EQ(message[Field::meanVelocity][3 * 1 + 2], 1.5);
-  EXPECT_DOUBLE_EQ(message[Field::meanVelocity][3 * 2 + 2], 1.5);
+  // 1.5 m/s, and what the spheres' turning makes of it
+  EXPECT_DOUBLE_EQ(message[Field::meanVelocity][3 * 1 + 2], 1.5 + 3.);
+  EXPECT_DOUBLE_EQ(message[Field::meanVelocity][3 * 2 + 2], 1.5 - 9.);
   EXPECT_DOUBLE_EQ(message[Field::meanVelocity][3 * 3], 0.5);
   EXPECT_NEAR(message[Field::otherForce][3 * 1 + 2], -3. * g, 1e-9);
   EXPECT_NEAR(message[Field::otherForce][3 * 3 + 2], -2. * g, 1e-9);
@@ -269,6 +270,19 @@ TEST(TellBodyMotion, whatTouchesABodyTouchesEachOfItsSpheres)
       tell_body_motion(two_bodies, bodies, interval(), 1, message);
       for (int i = 1; i < 4; i++) EXPECT_EQ(message[Field::touched][i], touched == (i == 3)) << i << ' ' << push;
     }
+}
+
+// a sphere of a body that has others is no free one, whatever touches the body
+TEST(TellBodyMotion, spheresOfOneBodyHoldEachOther)
+{
+  Particles message = of_bodies();
+  std::vector<BodyMotion> bodies(2);
+  bodies[0] = {true, {}, {0., 0., 0.2 - g * T}, {}, {}, 1, 2};
+  bodies[1] = {true, {}, {0., 0., -g * T}};
+  tell_body_motion(two_bodies, bodies, interval(), 1, message);
+  EXPECT_EQ(message[Field::touched][1], 1.);
+  EXPECT_EQ(message[Field::touched][2], 1.);
+  EXPECT_EQ(message[Field::touched][3], 0.);
 }
 
 TEST(TellBodyMotion, wholePeriodsAndNewBodies)

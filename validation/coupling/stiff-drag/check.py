@@ -1,7 +1,7 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
-"""Beds whose drag is stiff for the coupling interval: at rest, jammed, held."""
+"""Beds whose drag is stiff for the coupling interval, at rest, jammed, held; suspensions; clumps."""
 
-from validation.lib.checks import stiff_beds
+from validation.lib.checks import stiff_beds, stiff_clumps
 from validation.lib.checks.stiff_beds import Bed
 
 TITLE = "stiff drag on grains that something holds: rest, jammed and held beds at any interval"
@@ -52,6 +52,16 @@ def falls(checks, solids, relaxations):
     checks.at_most(f"{name}: net volume flux over it", abs(net / law), 0.02)
 
 
+def clumps(checks, model, cell, steps):
+    """Free clumps fall at one speed, whatever the interval."""
+    where = f"stiff-drag/clumps-{model}-{cell:g}"
+    free, _ = stiff_clumps.velocity(f"{where}-1", 1, model=model, cell=cell)
+    for every in steps:
+        found, relaxations = stiff_clumps.velocity(f"{where}-{every}", every, model=model, cell=cell)
+        checks.close(f"free clumps, model {model}, cells of {cell:g} d, {relaxations:.2g} relaxation times: velocity [m/s]",
+                     found, free, 0.05)
+
+
 def run(checks):
     for name, (bed, relaxations, light, more) in RESTS.items():
         rest(checks, name, bed, relaxations, light, more)
@@ -62,3 +72,6 @@ def run(checks):
     flows(checks, "frozen", bed, 2, ((5, 30), (100, 30)), "stiff-drag/frozen")
     falls(checks, 0.3, 10)
     falls(checks, 0.5, 100)
+    clumps(checks, "A", 2.4, (50, 250))
+    clumps(checks, "A", 5.0, (250,))
+    clumps(checks, "B", 5.0, (250,))

@@ -21,9 +21,11 @@ _going = set()
 _NO_NUMBER = re.compile(r"(?<![a-z])-?nan(?![a-z])|is no number|no numbers", re.I)
 
 
-def make(point, folder):
-    """Fills the run folder; gives the scene and the launcher."""
+def make(point, folder, **values):
+    """Fills the run folder, with the case's values that are given in place of the design's; gives
+    the scene and the launcher."""
     scene = stress_design.scene(point)
+    scene["values"].update(values)
     case = casefile.Case(CASE)
     for key, value in scene["values"].items():
         case.set(key, value if isinstance(value, str) else casefile.text(value))

@@ -6,6 +6,8 @@ from cases.lib.case.casefile import text
 # of these a run's title need not speak
 _ASIDE = {"end", "frames", "curve_rows", "seed", "checkpoint", "checkpoint_steps", "accuracy", "overlap", "quiet_fluid",
           "keep_mapping", "tolerance", "time_scale", "rest"}
+# nor of these where the regime sets them
+_OF_REGIME = {"viscosity", "prototype_viscosity", "stiffness", "dem_step", "coupling_steps", "coulomb_steps"}
 _MOST = 4
 
 
@@ -48,7 +50,8 @@ def of_several(case, varied):
 
 def _changes(case):
     """The values that are not the case's own, as words."""
-    changed = [k for k in case.changed() if k not in _ASIDE]
+    aside = _ASIDE | (_OF_REGIME if "regime" in case.changed() else set())
+    changed = [k for k in case.changed() if k not in aside]
     said = []
     for key in changed[:_MOST]:
         unit = case.parameters[key].get("unit", "1")

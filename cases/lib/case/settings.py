@@ -7,12 +7,12 @@ Where a follower holds a number of the case, it is made to follow; where it was
 set to one as well, the setting is refused.
 
 A parameter with `sets`, as accuracy, stands for values of others; what is set
-by its own name wins.
+by its own name wins. So do the keys that regime = stokes sets.
 """
 
 import os
 
-from cases.lib.case import places
+from cases.lib.case import places, regime
 from cases.lib.case.casefile import text
 from cases.lib.case.errors import CaseError
 
@@ -71,23 +71,30 @@ def _shown(value):
 def apply(case, given, tell=None):
     """Sets the values in the case; gives them with what follows, first. What
     follows is said in one line to tell."""
-    stood_for = several(case, given)
-    if stood_for and tell:
-        tell("set, too: " + ", ".join(f"{k} = {_shown(v)}" for k, v in stood_for.items()))
-    given = {**stood_for, **given}
     for key, value in given.items():
         case.set(key, _shown(value))
     more = follow(case, given)
     for key, word in more.items():
         case.set(key, word)
-    if more and tell:
-        tell(said(more))
     cells = _cells(case, given)
     for key, number in cells.items():
         case.set(key, str(number))
+    of_regime = regime.values(case, given)
+    for key, value in of_regime.items():
+        case.set(key, _shown(value))
+    more = {k: w for k, w in more.items() if k not in of_regime}
+    stood_for = several(case, given)
+    for key, value in stood_for.items():
+        case.set(key, _shown(value))
+    if of_regime and tell:
+        tell(f"regime = {given['regime']} sets " + ", ".join(f"{k} = {_shown(v)}" for k, v in of_regime.items()))
+    if stood_for and tell:
+        tell("set, too: " + ", ".join(f"{k} = {_shown(v)}" for k, v in stood_for.items()))
+    if more and tell:
+        tell(said(more))
     if cells and tell:
         tell("the mesh follows: " + ", ".join(f"{k} = {n}" for k, n in cells.items()))
-    return {**cells, **more, **given}
+    return {**of_regime, **stood_for, **cells, **more, **given}
 
 
 def _cells(case, given):

@@ -56,6 +56,8 @@ def resolve(values):
         if now(key) == "water":
             from cases.lib.theory import water
             found[key] = float(f"{float(getattr(water, law)(values['temperature'])):.6g}")
+    if now("prototype_viscosity") == "viscosity":
+        found["prototype_viscosity"] = now("viscosity")
     if now("fill_height") == "tube_height":
         found["fill_height"] = values["tube_height"]
     if "fill_height" in values and now("fill_height") > values["tube_height"]:

@@ -14,7 +14,7 @@ from cases.lib.case import files, heading, openfoam, places, program
 from cases.lib.case.errors import CaseError
 from cases.lib.case.places import called
 from cases.lib.run import series, state
-from cases.lib.theory import screening
+from cases.lib.theory import screening, similarity
 
 _DAY = 86400.0
 
@@ -103,6 +103,8 @@ def summary(case, run, derived, alone_s, lacking=""):
         "courant_max": cfd.get("courant_max"),
         "dem_alone_s": alone_s,
         "coupled_over_dem": round(run.wall / (alone_s or max(dem["dem_s"], 1e-9)), 4) if dem else None,
+        **({"groups": similarity.as_json(similarity.groups({**case.values, **derived}))}
+           if "prototype_diameter" in case.values else {}),
         "warnings": dem.get("warnings", []) + cfd.get("warnings", []) +
         screening.warnings({**case.values, **derived}, dem.get("max_overlap_over_d")),
     }

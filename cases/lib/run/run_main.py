@@ -75,8 +75,10 @@ def main():
     if not args.oversize:
         # a folder may be made ready for another machine
         plan.check(foreseen, derived, 10**9 if args.dry_run else launch.cores(), plan.machine_memory())
-    from cases.lib.theory import screening
+    from cases.lib.theory import screening, similarity
     print("\n".join(filter(None, (foreseen.line(), screening.line({**case.values, **derived})))), flush=True)
+    if case.values.get("regime") == "stokes":
+        print(similarity.table(similarity.groups({**case.values, **derived})), flush=True)
     folder, lock = folders.claim(case, args.out, args.overwrite, args.dry_run)
     with lock:
         prepare.fill(folder, case, derived)

@@ -42,6 +42,7 @@ def run(checks):
     checks.true("the interface falls", curve["interface_m"][-1] < curve["interface_m"][0],
                 curve["interface_m"][-1], curve["interface_m"][0])
     salty(checks)
+    viscous(checks)
 
 
 def salty(checks):
@@ -55,3 +56,22 @@ def salty(checks):
     with open(os.path.join(folder, "DEM", "log"), encoding="utf-8") as f:
         checks.true("salinity: the script's law", "sharp screened 0.000304" in f.read())
     checks.close("salinity: debye_length", coupled.summary(folder)["settings"]["debye_length"], 3.04e-4, 1e-12)
+
+
+def viscous(checks):
+    """regime = stokes: it runs, its contacts hold, the groups are said and kept in the summary."""
+    for name, end in (("clump-half", "0.1"), ("sphere-half", "0.1")):
+        outcome, folder = coupled.case(name, f"clump-half-short-stokes/{name}", "--end", end, "--no-pictures",
+                                       "--set", "regime=stokes", limit=300)
+        if not checks.equal(f"{name}, regime=stokes: exit code", outcome.status, 0):
+            checks.true(f"{name}, regime=stokes: what it said", False, outcome.output.strip()[-200:])
+            continue
+        s = coupled.summary(folder)
+        groups = {g["group"]: g for g in s["groups"]}
+        checks.at_most(f"{name}, regime=stokes: Re of a sphere at its Stokes speed",
+                       groups["Re, a sphere at its Stokes speed"]["model"], 0.1)
+        checks.true(f"{name}, regime=stokes: what is not kept is said", "NOT KEPT: Eqs 15 and 16" in outcome.output)
+        checks.at_most(f"{name}, regime=stokes: max_overlap_over_d", s["max_overlap_over_d"], 0.03)
+        checks.at_most(f"{name}, regime=stokes: max_momentum_residual", s["max_momentum_residual"], 1e-10)
+        if name == "sphere-half":  # charges pull harder than weight does
+            checks.at_most(f"{name}, regime=stokes: reynolds_max", s["reynolds_max"], 0.1)

@@ -58,8 +58,8 @@ def clumps(checks, model, cell, steps):
     free, _ = stiff_clumps.velocity(f"{where}-1", 1, model=model, cell=cell)
     for every in steps:
         found, relaxations = stiff_clumps.velocity(f"{where}-{every}", every, model=model, cell=cell)
-        checks.close(f"free clumps, model {model}, cells of {cell:g} d, {relaxations:.2g} relaxation times: velocity [m/s]",
-                     found, free, 0.05)
+        name = f"free clumps, model {model}, cells of {cell:g} d, {relaxations:.2g} relaxation times"
+        checks.close(f"{name}: velocity [m/s]", found, free, 0.05)
 
 
 def run(checks):

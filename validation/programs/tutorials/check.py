@@ -9,7 +9,7 @@ from validation.lib.checks import coupled, tutorials
 
 TITLE = "the tutorials of the manual, run to the letter"
 LONG = True
-PARTS = ("getting-started", "fluidised-bed", "by-hand", "from-cfdem")
+PARTS = ("getting-started", "fluidised-bed", "stl-vessel", "by-hand", "from-cfdem")
 _LIMIT = 1800
 
 

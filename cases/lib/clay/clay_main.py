@@ -12,6 +12,7 @@ COMMANDS = {
     "report": ("cases.lib.page.report_main", "pictures, series and summary of a run, finished or not"),
     "pack": ("cases.lib.packing.pack_main", "the packing of a case by itself"),
     "stages": ("cases.lib.calibration.stages_main", "the near-linear stages of a settling curve"),
+    "consolidation": ("cases.lib.consolidation.consolidation_main", "large-strain consolidation by a run's own laws"),
     "calibrate": ("cases.lib.calibration.calibrate", "charge and time scale that fit a measured curve"),
     "sweep": ("cases.lib.sweep.sweep", "a case over a grid of values"),
     "kynch": ("cases.lib.kynch.kynch_compare", "a column of spheres against Kynch's theory"),
@@ -27,12 +28,12 @@ def called():
 
 def usage():
     """The text of --help."""
-    rows = "\n".join(f"  {name:<12}{what}" for name, (_, what) in COMMANDS.items())
+    rows = "\n".join(f"  {name:<14}{what}" for name, (_, what) in COMMANDS.items())
     return (f"usage: {called()} COMMAND [ARGUMENT ...]\n\nClay settling in water, by LIGGGHTS and OpenFOAM side by "
             f"side. Results go to `results`\nwhere one stands. {called()} COMMAND --help says more.\n\n{rows}\n\n"
-            "  --json      the result as JSON on the standard output, all else on the standard error\n"
-            "  --quiet     say nothing but errors\n"
-            "  --version   the version\n\n"
+            "  --json        the result as JSON on the standard output, all else on the standard error\n"
+            "  --quiet       say nothing but errors\n"
+            "  --version     the version\n\n"
             "A case is a name of `run --list`, or a folder of one's own: ./my-case.")
 
 

@@ -25,6 +25,11 @@ from scipy.integrate import solve_ivp
 from scipy.sparse import diags
 
 
+def _within(e, most):
+    """Void ratios as powers take them, also where the solver tries one below 0."""
+    return np.clip(e, 1e-3, most)
+
+
 @dataclass(frozen=True)
 class PowerLaws:
     """The usual laws: e = A (s + Z)^-B, kappa = C e^D.
@@ -52,15 +57,16 @@ class PowerLaws:
 
     def stress(self, e):
         """Effective stress [Pa] of the void ratio."""
-        return np.where(e < self.gel, (np.minimum(e, self.gel) / self.a)**(-1.0 / self.b) - self.z, 0.0)
+        return np.where(e < self.gel, (_within(e, self.gel) / self.a)**(-1.0 / self.b) - self.z, 0.0)
 
     def stiffness(self, e):
         """-ds/de [Pa]."""
-        return np.where(e < self.gel, (np.minimum(e, self.gel) / self.a)**(-1.0 / self.b) / (self.b * e), 0.0)
+        held = _within(e, self.gel)
+        return np.where(e < self.gel, (held / self.a)**(-1.0 / self.b) / (self.b * held), 0.0)
 
     def permeability(self, e):
         """kappa [m2]."""
-        return self.c * e**self.d
+        return self.c * _within(e, np.inf)**self.d
 
     def mobility(self, e):
         """kappa/(mu (1 + e)) [m2/(Pa s)]."""

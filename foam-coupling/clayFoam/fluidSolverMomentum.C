@@ -219,4 +219,47 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fluidSolver::momentum
 }
 
 
+void Foam::fluidSolver::sayForcesAtWalls
+(
+    particleCoupling& coupling,
+    fv::options& fvOptions
+)
+{
+    // all ranks alike: a setting, and what was found on all
+    if (forcesSeen_ || fvOptions.optionList::empty())
+    {
+        return;
+    }
+    const tmp<fvVectorMatrix> tEqn(fvOptions(U_));
+    const vectorField force(tEqn().source()/mesh_.V());
+    const scalar largest = gMax(mag(force)());
+    forcesSeen_ = largest > 0;
+
+    // those that all ranks have
+    const label nPatches = mesh_.boundaryMesh().nNonProcessor();
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        scalar against = 0;
+        forAll(patch, i)
+        {
+            const label f = patch.start() + i;
+            const vector& a = force[patch.faceCells()[i]];
+            against = max(against, mag(a & faces_.Sf()[f])/faces_.magSf()[f]);
+        }
+        reduce(against, maxOp<scalar>());
+        if (wall(patchi) && against > 1e-3*largest)
+        {
+            coupling.statistics().warn
+            (
+                "a force of system/fvOptions pushes with "
+              + Foam::name(against) + " m/s2 against patch '" + patch.name()
+              + "', where p has no gradient that carries it: the velocity is"
+                " wrong in the cells there; end the force some cells before it"
+            );
+        }
+    }
+}
+
+
 // ************************************************************************* //

@@ -304,6 +304,7 @@ void Foam::fluidSolver::step(particleCoupling& coupling, const scalar part)
     fv::options& fvOptions = fv::options::New(mesh_);
 
     prepareFaces(coupling);
+    sayForcesAtWalls(coupling, fvOptions);
 
     // a closed domain's n can not change as a whole
     scalarField ddtN(coupling.ddtN().primitiveField());

@@ -145,6 +145,13 @@ TEST(FvOptions, ActByTheFluidsVolume) {
     mean += history[i]["velocity"][2].get<double>() / static_cast<double>(history.size() - half);
   EXPECT_NEAR(-mean / (n * slip), 1, 2e-3);
   EXPECT_LT(run.cfd()["max_momentum_residual"], 1e-10);
+  // it ends at the floor and at the top, and runs along the sides
+  const std::string warnings = run.cfd()["warnings"].dump();
+  EXPECT_EQ(run.cfd()["warnings"].size(), 2u) << warnings;
+  for (const char* patch : {"'bottom'", "'top'"})
+    EXPECT_NE(warnings.find(std::string("pushes with 15 m/s2 against patch ") + patch),
+              std::string::npos)
+        << warnings;
 }
 
 TEST(Turbulence, KEpsilonOfTheFluidInABed) {

@@ -90,7 +90,7 @@ install(PROGRAMS ${PROJECT_BINARY_DIR}/installed/clay DESTINATION ${CMAKE_INSTAL
 install(FILES __main__.py ${PROJECT_BINARY_DIR}/installed.json DESTINATION ${_share})
 install(DIRECTORY cases DESTINATION ${_share}
   REGEX "/(test_[^/]*[.]py|__pycache__|[^/]*[.]md)$" EXCLUDE
-  REGEX "/cases/(run|report|pack|kynch|stages|consolidation|sweep|calibrate|scaling|figures|clay)$" EXCLUDE)
+  REGEX "/cases/(run|report|pack|kynch|stages|consolidation|study|sweep|calibrate|scaling|figures|clay)$" EXCLUDE)
 install(FILES cmake/clay.bash RENAME clay DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

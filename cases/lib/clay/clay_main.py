@@ -17,6 +17,7 @@ COMMANDS = {
     "sweep": ("cases.lib.sweep.sweep", "a case over a grid of values"),
     "kynch": ("cases.lib.kynch.kynch_compare", "a column of spheres against Kynch's theory"),
     "figures": ("cases.lib.figures.figures", "counterparts of the paper's figures"),
+    "study": ("cases.lib.study.study_main", "what sets the stages of a settling curve"),
     "scaling": ("cases.lib.calibration.scaling_main", "prototype to model and back, Eqs 14 to 16"),
 }
 

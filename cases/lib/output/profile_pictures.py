@@ -8,7 +8,7 @@ import numpy as np
 
 from cases.lib.case import files
 from cases.lib.output import pictures
-from cases.lib.output.plotting import plt, titled, wrapped
+from cases.lib.output.plotting import plt, wrapped
 from cases.lib.theory import carrying
 
 _ISOLINES = (0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5)
@@ -55,7 +55,8 @@ def space_time(folder, columns, curve, title):
     ax.set_ylabel("height [mm]")
     fig.colorbar(image, label="solid fraction")
     ax.legend(fontsize=8, loc="upper right")
-    titled(ax, title)
+    # over the whole figure: the scale beside the pane leaves it narrower
+    fig.suptitle(wrapped(title, fig.get_size_inches()[0]), fontsize=9)
     fig.tight_layout()
     _save(fig, os.path.join(folder, "profile_map.png"))
 

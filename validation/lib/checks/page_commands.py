@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 from cases.lib.case.casefile import TOP
 
-_CASES = ("run", "report", "pack", "stages", "consolidation", "calibrate", "sweep", "kynch", "figures", "scaling",
-          "clay")
+_CASES = ("run", "report", "pack", "stages", "consolidation", "study", "calibrate", "sweep", "kynch", "figures",
+          "scaling", "clay")
 _CHECKS = ("run", "stress", "matrix", "bench", "growth")
 _PROGRAMS = (*(f"cases/{n}" for n in _CASES), *(f"validation/{n}" for n in _CHECKS), "clay", "cmake/setup.sh", "cmake",
              "ctest", "cpack", "python3", "clang-format", "mpirun", "liggghts-clay", "clayFoam", "source", "cd",
@@ -149,7 +149,7 @@ def _of_cases(before, words, quiet=False):
             else:
                 more = ["--end", short]
             how = "made short"
-    elif name in ("sweep", "figures"):
+    elif name in ("sweep", "figures", "study"):
         how, more = "made short", ["--dry-run"]
     elif name == "kynch" and "--solve" not in rest:
         how, more = ("its words", ["--help"]) if "--runs" in rest else ("made short", ["--solve"])

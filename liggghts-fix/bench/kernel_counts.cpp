@@ -1,7 +1,7 @@
 // This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a kernel once, for callgrind to count its instructions
 // (validation/cost/instructions): kernel_counts
-// contact|contact_hertz|contact_rolling|coulomb|coulomb_single|screened|screened_single|dlvo|packing
+// contact|contact_hertz|contact_rolling|coulomb|coulomb_single|screened|screened_single|dlvo|dlvo_far|packing
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -28,8 +28,8 @@ int main(int argc, char **argv)
     std::printf("spheres %zu\n", scene.groups.x.size());
     return std::isfinite(scene.groups.wrenches[0].f[0]) ? 0 : 1;
   }
-  if (which == "dlvo") {
-    clay::DlvoScene scene(4);
+  if (which == "dlvo" || which == "dlvo_far") {  // far: as far as the charges
+    clay::DlvoScene scene(4, which == "dlvo" ? 4e-3 : 10e-3);
     scene.step();
     std::printf("spheres %zu\n", scene.groups.x.size());
     return scene.groups.wrenches[0].f[0] != 0 ? 0 : 1;
@@ -43,6 +43,6 @@ int main(int argc, char **argv)
   }
   std::fprintf(stderr,
                "kernel_counts: choose contact, contact_hertz, contact_rolling, coulomb, coulomb_single, "
-               "screened, screened_single, dlvo or packing\n");
+               "screened, screened_single, dlvo, dlvo_far or packing\n");
   return 1;
 }

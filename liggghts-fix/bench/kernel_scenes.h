@@ -82,13 +82,13 @@ struct DlvoScene {
   ChargeGroups groups;
   DlvoLaw law;
 
-  explicit DlvoScene(int side)
+  explicit DlvoScene(int side, double gap = 4e-3)
   {
     law.permittivity = 6.94e-10;
     law.debye = 3e-4;
     law.hamaker = 1e-14;
     law.contact = 2e-5;
-    law.gap = 4e-3;
+    law.gap = gap;
     law.cutoff = 2e-3 + law.gap;  // clumps lie 5 mm apart
     groups = CoulombScene(side).groups;
     for (double& q : groups.q) q = q > 0 ? 0.02 : -0.05;

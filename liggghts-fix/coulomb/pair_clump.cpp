@@ -11,7 +11,11 @@
 #include "coulomb/pair_clump.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
 
 #include "atom.h"
 #include "comm.h"
@@ -23,15 +27,16 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "update.h"
+#include "script/values.h"
 #include "simd/cell_index.h"
 
 using namespace LAMMPS_NS;
 
 /* ---------------------------------------------------------------------- */
 
-PairClump::PairClump(LAMMPS *lmp) :
-  Pair(lmp), every_(1), hold_(false), active_(false), multisphere_(NULL), centred_(false), laid_out_(-1), nall_(-1),
-  evaluated_(-1), evaluations_(0)
+PairClump::PairClump(LAMMPS *lmp, const char *style, const char *value) :
+  Pair(lmp), every_(1), hold_(false), active_(false), multisphere_(NULL), style_(style), what_(value), centred_(false),
+  laid_out_(-1), nall_(-1), evaluated_(-1), evaluations_(0)
 {
   no_virial_fdotr_compute = 1;
 }
@@ -46,7 +51,7 @@ PairClump::~PairClump()
 
 /* ---------------------------------------------------------------------- */
 
-void PairClump::allocate_tables()
+void PairClump::allocate()
 {
   allocated = 1;
   const int n = atom->ntypes;
@@ -57,6 +62,113 @@ void PairClump::allocate_tables()
       setflag[i][j] = 0;
       cutsq[i][j] = 0.0;
     }
+  value_.assign(n + 1, 0.0);
+  given_.assign(n + 1, 0);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairClump::refuse(const std::string &words) const
+{
+  error->all(FLERR, ("Pair style " + style_ + ": " + words).c_str());
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairClump::settings(int narg, char **arg)
+{
+  every_ = 1;
+  hold_ = false;
+  try {
+    parse(narg, arg);
+  } catch (const std::invalid_argument &e) {
+    refuse(e.what());
+  }
+}
+
+void PairClump::parse_every(int narg, char **arg, int &i)
+{
+  every_ = static_cast<int>(clay::wholeNumber("every", arg[++i], 1, INT_MAX));
+  if (i + 1 < narg && (!strcmp(arg[i + 1], "impulse") || !strcmp(arg[i + 1], "hold")))
+    hold_ = !strcmp(arg[++i], "hold");
+}
+
+/* ----------------------------------------------------------------------
+   pair_coeff T T value: of the spheres of a type
+------------------------------------------------------------------------- */
+
+double PairClump::value_of(const char *word) const { return clay::number(what_, word); }
+
+void PairClump::coeff(int narg, char **arg)
+{
+  const std::string start = "Pair coeff for " + style_ + ": ";
+  if (narg != 3 || strcmp(arg[0], arg[1]) != 0)
+    error->all(FLERR, (start + "a " + what_ + " belongs to one type: pair_coeff T T " + what_).c_str());
+  const bool number = strspn(arg[0], "0123456789") == strlen(arg[0]);
+  if (number && (atoi(arg[0]) < 1 || atoi(arg[0]) > atom->ntypes))
+    error->all(FLERR,
+               (start + "atom type " + arg[0] + " has a " + what_ + ", but the box has types 1 to " +
+                std::to_string(atom->ntypes))
+                   .c_str());
+  if (!allocated) allocate();
+
+  int lo, hi;
+  force->bounds(arg[0], atom->ntypes, lo, hi);
+  double value = 0.0;
+  try {
+    value = value_of(arg[2]);
+  } catch (const std::invalid_argument &e) {
+    error->all(FLERR, (start + e.what()).c_str());
+  }
+  for (int t = lo; t <= hi; t++) {
+    value_[t] = value;
+    given_[t] = 1;
+  }
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) setflag[i][j] = 1;  // check() looks for what is missing
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairClump::check()
+{
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (!allocated || !given_[t]) {
+      const std::string type = std::to_string(t);
+      refuse("atom type " + type + " has no " + what_ + ": pair_coeff " + type + " " + type + " [" + style_ +
+             "] VALUE");
+    }
+  if (strcmp(update->unit_style, "si") != 0)
+    refuse(std::string("units are '") + update->unit_style + "'; they must be si, as its constants are");
+  if (force->newton_pair) refuse("newton is on; it must be off");
+  if (modify->n_fixes_style("multisphere") > 1) refuse("there are several fixes multisphere; it takes at most one");
+  multisphere_ = static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0));
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairClump::write_restart(FILE *fp)
+{
+  write_restart_settings(fp);
+  fwrite(&value_[0], sizeof(double), atom->ntypes + 1, fp);
+}
+
+void PairClump::read_restart(FILE *fp, const int major, const int minor)
+{
+  read_restart_settings(fp, major, minor);
+  if (!allocated) allocate();
+  read_numbers(fp, &value_[0], atom->ntypes + 1);
+  for (int i = 1; i <= atom->ntypes; i++) {
+    given_[i] = 1;
+    for (int j = i; j <= atom->ntypes; j++) setflag[i][j] = 1;
+  }
+}
+
+void PairClump::read_numbers(FILE *fp, double *to, int n)
+{
+  if (comm->me == 0 && fread(to, sizeof(double), n, fp) != static_cast<std::size_t>(n))
+    error->one(FLERR, ("Pair style " + style_ + ": the restart file ends too early").c_str());
+  MPI_Bcast(to, n, MPI_DOUBLE, 0, world);
 }
 
 /* ---------------------------------------------------------------------- */

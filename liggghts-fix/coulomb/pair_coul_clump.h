@@ -16,8 +16,6 @@ PairStyle(coul/clump,PairCoulClump)
 #ifndef LMP_PAIR_COUL_CLUMP_H
 #define LMP_PAIR_COUL_CLUMP_H
 
-#include <vector>
-
 #include "coulomb/pair_clump.h"
 
 namespace LAMMPS_NS {
@@ -26,35 +24,27 @@ class PairCoulClump : public PairClump {
  public:
   PairCoulClump(class LAMMPS *);
 
-  void settings(int, char **);
-  void coeff(int, char **);
   void init_style();
   double single(int, int, int, int, double, double, double, double &);
 
-  void write_restart(FILE *);
-  void read_restart(FILE *, const int, const int);
   void write_restart_settings(FILE *);
   void read_restart_settings(FILE *, const int, const int);
 
   double cutoff() const { return law_.cutoff; }
   const clay::CoulombLaw &law() const { return law_; }
   /// Charge of a sphere of an atom type [C].
-  double charge(int type) const { return charge_[type]; }
+  double charge(int type) const { return value_[type]; }
 
  protected:
+  void parse(int, char **);
   double strength(int i) const;
-  bool takes_part(int type) const { return charge_[type] != 0.0; }
+  bool takes_part(int type) const { return value_[type] != 0.0; }
   void evaluate() { groups_.act(law_); }
   double between(int a, int b, double r, double &f) const;
 
  private:
-  void parse(int, char **);
-  void allocate();
-
   clay::CoulombLaw law_;
   double permittivity_;
-  std::vector<double> charge_;  // by type
-  std::vector<char> given_;     // charge was given
 };
 
 }

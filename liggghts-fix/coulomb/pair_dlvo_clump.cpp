@@ -6,20 +6,12 @@
 
 #include "coulomb/pair_dlvo_clump.h"
 
-#include <climits>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 
 #include "atom.h"
-#include "comm.h"
-#include "error.h"
-#include "fix_multisphere.h"
-#include "force.h"
-#include "modify.h"
 #include "script/values.h"
 
 using namespace LAMMPS_NS;
@@ -28,27 +20,12 @@ static const double vacuum = 8.8541878128e-12;  // F/m
 
 /* ---------------------------------------------------------------------- */
 
-PairDlvoClump::PairDlvoClump(LAMMPS *lmp) : PairClump(lmp), relative_(78.4), temperature_(298.15) {}
-
-/* ---------------------------------------------------------------------- */
-
-void PairDlvoClump::allocate()
+PairDlvoClump::PairDlvoClump(LAMMPS *lmp) :
+  PairClump(lmp, "dlvo/clump", "potential"), relative_(78.4), temperature_(298.15)
 {
-  allocate_tables();
-  potential_.assign(atom->ntypes + 1, 0.0);
-  given_.assign(atom->ntypes + 1, 0);
 }
 
 /* ---------------------------------------------------------------------- */
-
-void PairDlvoClump::settings(int narg, char **arg)
-{
-  try {
-    parse(narg, arg);
-  } catch (const std::invalid_argument &e) {
-    error->all(FLERR, (std::string("Pair style dlvo/clump: ") + e.what()).c_str());
-  }
-}
 
 void PairDlvoClump::parse(int narg, char **arg)
 {
@@ -56,14 +33,16 @@ void PairDlvoClump::parse(int narg, char **arg)
   law_ = clay::DlvoLaw();
   relative_ = 78.4;
   temperature_ = 298.15;
-  every_ = 1;
-  hold_ = false;
   law_.gap = clay::positiveNumber("gap", arg[0]);
   bool hamaker = false;
 
   for (int i = 1; i < narg; i++) {
     const std::string word = arg[i];
     if (i + 1 == narg) throw std::invalid_argument("'" + word + "' is not understood, or its value is missing");
+    if (word == "every") {
+      parse_every(narg, arg, i);
+      continue;
+    }
     const std::string value = arg[++i];
     if (word == "debye") law_.debye = clay::positiveNumber(word, value);
     else if (word == "hamaker") {
@@ -74,11 +53,7 @@ void PairDlvoClump::parse(int narg, char **arg)
     else if (word == "retarded") law_.retardation = clay::positiveNumber(word, value);
     else if (word == "permittivity") relative_ = clay::positiveNumber(word, value);
     else if (word == "temperature") temperature_ = clay::positiveNumber(word, value);
-    else if (word == "every") {
-      every_ = static_cast<int>(clay::wholeNumber(word, value, 1, INT_MAX));
-      if (i + 1 < narg && (!strcmp(arg[i + 1], "impulse") || !strcmp(arg[i + 1], "hold")))
-        hold_ = !strcmp(arg[++i], "hold");
-    } else
+    else
       throw std::invalid_argument("'" + word +
                                   "' is not understood: debye L, hamaker A, contact H, retarded W, permittivity EPS, "
                                   "temperature T, every N [impulse|hold] may follow the gap");
@@ -94,50 +69,22 @@ void PairDlvoClump::parse(int narg, char **arg)
   law_.permittivity = vacuum * relative_;
 }
 
-/* ----------------------------------------------------------------------
-   pair_coeff T T psi: the potential of the surfaces of a type
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
-void PairDlvoClump::coeff(int narg, char **arg)
+double PairDlvoClump::value_of(const char *word) const
 {
-  if (narg != 3 || strcmp(arg[0], arg[1]) != 0)
-    error->all(FLERR, "Pair coeff for dlvo/clump: a potential belongs to one type: pair_coeff T T potential");
-  if (!allocated) allocate();
-
-  int lo, hi;
-  force->bounds(arg[0], atom->ntypes, lo, hi);
-  double psi = 0.0;
-  try {
-    psi = clay::number("potential", arg[2]);
-    if (std::fabs(psi) > 1.0)
-      throw std::invalid_argument("potential is '" + std::string(arg[2]) + "'; it must be from -1 to 1 (V)");
-  } catch (const std::invalid_argument &e) {
-    error->all(FLERR, (std::string("Pair coeff for dlvo/clump: ") + e.what()).c_str());
-  }
-  for (int t = lo; t <= hi; t++) {
-    potential_[t] = psi;
-    given_[t] = 1;
-  }
-  for (int i = 1; i <= atom->ntypes; i++)
-    for (int j = i; j <= atom->ntypes; j++) setflag[i][j] = 1;  // init_style looks for what is missing
+  const double psi = PairClump::value_of(word);
+  if (std::fabs(psi) > 1.0)
+    throw std::invalid_argument("potential is '" + std::string(word) + "'; it must be from -1 to 1 (V)");
+  return psi;
 }
 
 /* ---------------------------------------------------------------------- */
 
 void PairDlvoClump::init_style()
 {
-  char text[256];
-  for (int t = 1; t <= atom->ntypes; t++)
-    if (!allocated || !given_[t]) {
-      snprintf(text, sizeof text,
-               "Pair style dlvo/clump: atom type %d has no potential: pair_coeff %d %d [dlvo/clump] PSI", t, t, t);
-      error->all(FLERR, text);
-    }
-  if (!atom->radius_flag) error->all(FLERR, "Pair style dlvo/clump requires atoms with radii");
-  if (force->newton_pair) error->all(FLERR, "Pair style dlvo/clump requires newton off");
-  if (modify->n_fixes_style("multisphere") > 1) error->all(FLERR, "Pair style dlvo/clump: at most one fix multisphere");
-  multisphere_ = static_cast<FixMultisphere *>(modify->find_fix_style("multisphere", 0));
-
+  check();
+  if (!atom->radius_flag) refuse("atoms have no radii; it needs them");
   bool any = false;
   for (int t = 1; t <= atom->ntypes; t++) any = any || takes_part(t);
   law_.cutoff = law_.gap + 2.0 * largest_radius();
@@ -146,7 +93,7 @@ void PairDlvoClump::init_style()
 
 /* ---------------------------------------------------------------------- */
 
-double PairDlvoClump::effective(int type) const { return clay::effectivePotential(potential_[type], temperature_); }
+double PairDlvoClump::effective(int type) const { return clay::effectivePotential(value_[type], temperature_); }
 
 double PairDlvoClump::strength(int i) const { return effective(atom->type[i]); }
 
@@ -171,26 +118,6 @@ double PairDlvoClump::single(int i, int j, int itype, int jtype, double rsq, dou
 
 /* ---------------------------------------------------------------------- */
 
-void PairDlvoClump::write_restart(FILE *fp)
-{
-  write_restart_settings(fp);
-  fwrite(&potential_[0], sizeof(double), atom->ntypes + 1, fp);
-}
-
-void PairDlvoClump::read_restart(FILE *fp, const int major, const int minor)
-{
-  read_restart_settings(fp, major, minor);
-  if (!allocated) allocate();
-  const size_t n = atom->ntypes + 1;
-  if (comm->me == 0 && fread(&potential_[0], sizeof(double), n, fp) != n)
-    error->one(FLERR, "Pair style dlvo/clump: the restart file ends too early");
-  MPI_Bcast(&potential_[0], static_cast<int>(n), MPI_DOUBLE, 0, world);
-  for (int i = 1; i <= atom->ntypes; i++) {
-    given_[i] = 1;
-    for (int j = i; j <= atom->ntypes; j++) setflag[i][j] = 1;
-  }
-}
-
 void PairDlvoClump::write_restart_settings(FILE *fp)
 {
   const double kept[9] = {law_.gap,  law_.debye,   law_.hamaker,   law_.contact,     law_.retardation,
@@ -201,9 +128,7 @@ void PairDlvoClump::write_restart_settings(FILE *fp)
 void PairDlvoClump::read_restart_settings(FILE *fp, const int, const int)
 {
   double kept[9];
-  if (comm->me == 0 && fread(kept, sizeof(double), 9, fp) != 9)
-    error->one(FLERR, "Pair style dlvo/clump: the restart file ends too early");
-  MPI_Bcast(kept, 9, MPI_DOUBLE, 0, world);
+  read_numbers(fp, kept, 9);
   law_ = clay::DlvoLaw();
   law_.gap = kept[0];
   law_.debye = kept[1];

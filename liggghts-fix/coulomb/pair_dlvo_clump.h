@@ -17,8 +17,6 @@ PairStyle(dlvo/clump,PairDlvoClump)
 #ifndef LMP_PAIR_DLVO_CLUMP_H
 #define LMP_PAIR_DLVO_CLUMP_H
 
-#include <vector>
-
 #include "coulomb/pair_clump.h"
 
 namespace LAMMPS_NS {
@@ -27,13 +25,9 @@ class PairDlvoClump : public PairClump {
  public:
   PairDlvoClump(class LAMMPS *);
 
-  void settings(int, char **);
-  void coeff(int, char **);
   void init_style();
   double single(int, int, int, int, double, double, double, double &);
 
-  void write_restart(FILE *);
-  void read_restart(FILE *, const int, const int);
   void write_restart_settings(FILE *);
   void read_restart_settings(FILE *, const int, const int);
 
@@ -43,21 +37,19 @@ class PairDlvoClump : public PairClump {
   double effective(int type) const;
 
  protected:
+  void parse(int, char **);
+  double value_of(const char *word) const;
   double strength(int i) const;
-  bool takes_part(int type) const { return law_.hamaker > 0.0 || potential_[type] != 0.0; }
+  bool takes_part(int type) const { return law_.hamaker > 0.0 || value_[type] != 0.0; }
   bool with_radii() const { return true; }
   void evaluate() { groups_.act(law_); }
   double between(int a, int b, double r, double &f) const;
 
  private:
-  void parse(int, char **);
-  void allocate();
   double of_two(double yy, double ri, double rj, double r, double &f) const;
 
   clay::DlvoLaw law_;
   double relative_, temperature_;
-  std::vector<double> potential_;  // of the surface by type [V]
-  std::vector<char> given_;
 };
 
 }

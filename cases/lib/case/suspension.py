@@ -82,6 +82,16 @@ def resolve(values):
         if debye:
             found["debye_length"] = debye[1]
             found["coulomb_law"] += f" screened {debye[1]:.12g}"
+    if "attraction" in values:
+        from cases.lib.theory import attraction
+        resolved = {**values, **found}
+        try:
+            constant, law = attraction.hamaker(resolved), attraction.law(resolved)
+        except ValueError as e:
+            raise CaseError(str(e)) from e
+        found["attracted"], found["far_forces"] = int(constant is not None), f"{found['coulomb_law']} {law}".strip()
+        if constant is not None:
+            found["hamaker"] = constant
     one = particle_volume(values)
     found["body_mass"] = values["density"] * one
     counted = next((k for k in ("clumps", "spheres") if k in values), None)

@@ -75,8 +75,9 @@ def main():
     if not args.oversize:
         # a folder may be made ready for another machine
         plan.check(foreseen, derived, 10**9 if args.dry_run else launch.cores(), plan.machine_memory())
-    from cases.lib.theory import screening, similarity
-    print("\n".join(filter(None, (foreseen.line(), screening.line({**case.values, **derived})))), flush=True)
+    from cases.lib.theory import attraction, screening, similarity
+    values = {**case.values, **derived}
+    print("\n".join(filter(None, (foreseen.line(), screening.line(values), attraction.line(values)))), flush=True)
     if case.values.get("regime") == "stokes":
         print(similarity.table(similarity.groups({**case.values, **derived})), flush=True)
     folder, lock = folders.claim(case, args.out, args.overwrite, args.dry_run)

@@ -22,6 +22,7 @@ KERNELS = {
     "screened": ("kernel_counts", ["screened"], "clay::ChargeGroups::act*"),
     "screened_single": ("kernel_counts", ["screened_single"], "clay::ChargeGroups::act*"),
     "dlvo": ("kernel_counts", ["dlvo"], "clay::ChargeGroups::act*"),
+    "dlvo_far": ("kernel_counts", ["dlvo_far"], "clay::ChargeGroups::act*"),
     "overlap": ("mappingCost", ["--gtest_filter=mappingCost.onePass"],
                 "Foam::voidFractionModels::exactOverlap::weights*"),
     "divided": ("mappingCost", ["--gtest_filter=mappingCost.onePassDivided"],

@@ -42,6 +42,7 @@ def run(checks):
     checks.true("the interface falls", curve["interface_m"][-1] < curve["interface_m"][0],
                 curve["interface_m"][-1], curve["interface_m"][0])
     salty(checks)
+    attracted(checks)
     viscous(checks)
 
 
@@ -56,6 +57,24 @@ def salty(checks):
     with open(os.path.join(folder, "DEM", "log"), encoding="utf-8") as f:
         checks.true("salinity: the script's law", "sharp screened 0.000304" in f.read())
     checks.close("salinity: debye_length", coupled.summary(folder)["settings"]["debye_length"], 3.04e-4, 1e-12)
+
+
+def attracted(checks):
+    """With a Hamaker constant the DEM half has dlvo/clump, at the model's scale, beside the charges."""
+    outcome, folder = coupled.case("clump-half", "clump-half-attracted", "--end", "0.02", "--no-pictures",
+                                   "--set", "attraction=2e-20", limit=300)
+    if not checks.equal("attraction: exit code", outcome.status, 0):
+        checks.true("attraction: what it said", False, outcome.output.strip()[-200:])
+        return
+    checks.true("attraction: it is said at the model's scale", "at the model's scale 2e-08 J" in outcome.output)
+    with open(os.path.join(folder, "DEM", "log"), encoding="utf-8") as f:
+        log = f.read()
+    checks.true("attraction: the script's law", "single sharp dlvo/clump 0.002 debye 0.002 hamaker 2e-08" in log)
+    checks.true("attraction: no potentials", "\npair_coeff * * dlvo/clump 0." in log)
+    s = coupled.summary(folder)
+    checks.close("attraction: hamaker", s["settings"]["hamaker"], 2e-8, 1e-12)
+    checks.equal("attraction: particles_lost", s["particles_lost"], 0)
+    checks.at_most("attraction: max_momentum_residual", s["max_momentum_residual"], 1e-10)
 
 
 def viscous(checks):

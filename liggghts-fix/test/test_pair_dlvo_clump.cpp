@@ -154,6 +154,7 @@ TEST(PairDlvoClump, secondaryMinimumWhereTheFormulasHaveIt)
 // let go a fifth within it they swing through it, and their energy stays
 TEST(PairDlvoClump, swingsAboutTheSecondaryMinimum)
 {
+  if (test::processors() > 1) return;  // thousands of steps of two spheres
   Host host;
   host(like(0.8 * minimum[0]) + "timestep 0.04\nthermo_style custom step ke\nrun 0\n");
   auto *pair = dynamic_cast<LAMMPS_NS::PairDlvoClump *>(host.lmp->force->pair_match("dlvo/clump", 1));
@@ -182,6 +183,7 @@ TEST(PairDlvoClump, swingsAboutTheSecondaryMinimum)
 // about each other, a little beyond the minimum: T = 2 pi sqrt(m/2 r/F)
 TEST(PairDlvoClump, circularOrbit)
 {
+  if (test::processors() > 1) return;  // thousands of steps of two spheres
   for (const std::string every : {"", " every 10 hold"}) {
     const double gap = 1.05 * minimum[0], r = 1e-3 + gap;
     const double Z = 4 * M_PI * eps * Y(0.03) * Y(0.03);

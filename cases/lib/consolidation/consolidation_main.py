@@ -77,6 +77,8 @@ def table(run, laws, fit, walls, made):
                  f"{np.exp(fit.misfit['compressibility']):.3g}; {len(fit.flow.e)} of kappa, e from {c:.3g} to {d:.3g}, "
                  f"{np.exp(fit.misfit['permeability']):.3g}")
     lines = [head, *lines, f"  walls hold {100 * walls:.3g} % of the weight above, which the theory leaves out of it"]
+    if fit and laws.b > 0.999 * lawfit.STEEPEST:
+        lines.append(f"  B is at its bound: log e falls with s, by one in {laws.z / laws.b:.3g} Pa")
     z = run.curve["interface_m"]
     lines.append(f"  first stage ends at {run.stage:.4g} s; after it the interface falls by {1e3 * run.fallen:.3g} mm, "
                  f"{run.fallen / run.diameter:.3g} sphere diameters")

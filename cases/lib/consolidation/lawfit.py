@@ -23,6 +23,7 @@ _WINDOW, _FLOOR = 4.0, 2.0   # diameters
 _LEAST = 0.02                # of the whole weight
 _POINTS = 30
 _TOP = 0.99                  # quantile of the points' void ratios that the gel point may have
+STEEPEST = 20.0              # B beyond which the law is as good as an exponential
 _LOOSEST = 200.0             # void ratio above which solids are strays
 
 
@@ -113,8 +114,9 @@ def _compressibility(points, suspension):
 
     best, top = None, max(math.log(suspension), float(np.quantile(log_e, _TOP)))
     for part in (1e-3, 1e-1, 1.0):
+        bounds = [top - 10, 1e-3, math.log(1e-4 * middle)], [top, STEEPEST, math.log(1e2 * middle)]
         found = least_squares(off, [top - 0.1, 0.3, math.log(part * middle)], loss="soft_l1", f_scale=0.2,
-                              bounds=([top - 10, 1e-3, math.log(1e-4 * middle)], [top, 20, math.log(1e2 * middle)]))
+                              bounds=bounds)
         best = found if best is None or found.cost < best.cost else best
     level, b, z = best.x
     return math.exp(level + b * z), b, math.exp(z)

@@ -169,3 +169,9 @@ def test_arguments(folder, tmp_path):
                         (("--laws", str(tmp_path / "none.json")), "--laws .*none.json: is no consolidation.json")):
         with pytest.raises(CaseError, match=says):
             command(folder, *words)
+
+
+def test_an_exponential_is_said(tmp_path, capsys):
+    laws = gibson.PowerLaws(a=13.4 * 3000.0**60, b=60.0, z=3000.0, c=6e-8, d=1.8, viscosity=0.2784)
+    assert command(made(tmp_path, laws=laws, noise=0.005), "--samples", "20") == 0
+    assert "B is at its bound: log e falls with s, by one in" in capsys.readouterr().out

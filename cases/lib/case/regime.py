@@ -71,5 +71,6 @@ def values(case, given):
         found["coupling_steps"] = max(1, math.floor(interval / float(given["dem_step"]) + 1e-9))
     found["dem_step"] = float(f"{interval / found['coupling_steps']:.12g}")
     if "coulomb_steps" in v:
-        found["coulomb_steps"] = min(v["coulomb_steps"], found["coupling_steps"])
+        exchange = v["coupling_steps"] if "coupling_steps" in given else found["coupling_steps"]
+        found["coulomb_steps"] = min(v["coulomb_steps"], exchange)
     return {k: x for k, x in found.items() if k not in given}

@@ -70,6 +70,9 @@ def test_what_is_set_by_name_wins():
     assert v["prototype_viscosity"] == 2e-3
     v = applied("clump-half", "regime=stokes", "accuracy=reference")
     assert (v["stiffness"], v["dem_step"]) == (5e6, 2.5e-7) and reynolds(v) < 0.1
+    v = applied("clump-half", "regime=stokes", "coupling_steps=4")
+    assert (v["coupling_steps"], v["coulomb_steps"]) == (4, 4)
+    assert applied("clump-half", "regime=stokes", "coulomb_steps=30")["coulomb_steps"] == 30
     # Stokes flow already
     assert applied("sphere-half", "regime=stokes", "sphere_radius=1e-5")["viscosity"] == 8.94e-4
 

@@ -126,7 +126,7 @@ static void sayUnreadTransport
         transport.lookupOrDefault<word>("transportModel", "Newtonian")
     );
     const word coeffs(model + "Coeffs");
-    wordList own(viscosityCoeffs.at(model));
+    const wordList& own = viscosityCoeffs.at(model);
     const bool apart = transport.isDict(coeffs);
     // without a dictionary of their own coefficients stand beside the rest
     wordList known({"FoamFile", "transportModel", "rho", coeffs});

@@ -29,7 +29,7 @@ namespace Foam
 {
 
 //- Text as one line
-static std::string oneLine(std::string text)
+static std::string oneLine(const std::string& text)
 {
     std::string line;
     for (const char c : text)

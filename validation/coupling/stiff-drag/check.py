@@ -1,8 +1,9 @@
 # This file is part of clayFoam. SPDX-License-Identifier: GPL-3.0-or-later
 """Beds whose drag is stiff for the coupling interval, at rest, jammed, held; suspensions; clumps."""
 
-from validation.lib.checks import stiff_beds, stiff_clumps
+from validation.lib.checks import stiff_beds
 from validation.lib.checks.stiff_beds import Bed
+from validation.lib.stress import stiff_clumps
 
 TITLE = "stiff drag on grains that something holds: rest, jammed and held beds at any interval"
 

@@ -230,7 +230,9 @@ TEST(Ends, ByTheExitCodeAloneWhereMpirunSeesIt) {
     line.append(launcher).append(CFD_HALF " cfd:explained 1");
     const Outcome o = shell(line);
     expectEnd(o, "no cheese at all");
-    EXPECT_EQ(o.says("MPI_ABORT was invoked"), launcher == none) << launcher << o.text;
+    // mpirun's text, which it loses on its way now and then, and says so
+    const bool shown = o.says("MPI_ABORT was invoked") || o.says("show_help.c");
+    EXPECT_EQ(shown, launcher == none) << launcher << o.text;
   }
 }
 

@@ -235,8 +235,8 @@ void Foam::fluidSolver::sayForcesAtWalls
     const scalar largest = gMax(mag(force)());
     forcesSeen_ = largest > 0;
 
-    // those that all ranks have
     const label nPatches = mesh_.boundaryMesh().nNonProcessor();
+    // all ranks alike: the patches that all of them have
     for (label patchi = 0; patchi < nPatches; ++patchi)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];

@@ -10,7 +10,7 @@ import math
 
 from cases.lib.case import suspension
 from cases.lib.case.errors import CaseError
-from cases.lib.theory import drag, similarity
+from cases.lib.theory import similarity
 from cases.lib.theory.scaling import stokes_velocity
 
 _RELAXATION = 0.5   # of a sphere's relaxation time, an exchange at least so often
@@ -29,6 +29,8 @@ def _down(x):
 def _stiffness(v, stokes):
     """Contact stiffness [N/m] at which impacts at the Stokes speed make no larger overlaps than the case's own do in
     its fluid, the bed's weight none above _LOAD, and charges none above _PULL."""
+    from cases.lib.theory import drag  # numpy: lists of cases and keys go without it
+
     d = 2 * v["sphere_radius"]
     fast = drag.terminal_velocity(d, v["density"], v["fluid_density"], v["viscosity"], v["gravity"])
     load = (v["density"] - v["fluid_density"]) * v["gravity"] * v["solid_fraction"] * v["fill_height"] * d**2

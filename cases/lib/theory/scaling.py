@@ -14,8 +14,6 @@ import argparse
 import sys
 from dataclasses import dataclass
 
-from cases.lib.theory import drag
-
 #: Calibrated ratio of times T_p/T_m of the paper's section 4.2.3.
 CALIBRATED = 9.49e5
 
@@ -94,6 +92,8 @@ class Scaling:
             raise ValueError(f"factor = {self.factor} should be positive")
 
     def _side(self, name, d):
+        from cases.lib.theory import drag  # numpy: lists of cases and keys go without it
+
         stokes = stokes_velocity(d, self.rho_p, self.rho_f, self.mu, self.g)
         real = drag.terminal_velocity(d, self.rho_p, self.rho_f, self.mu,
                                       self.g)
